@@ -1,0 +1,25 @@
+# Every third-party library, in one place. All come from Debian 12 (deploy/packages.txt).
+
+find_package(PkgConfig REQUIRED)
+find_package(Threads REQUIRED)
+find_package(embree 3.13 REQUIRED)
+find_package(TBB REQUIRED)
+find_package(TinyGLTF REQUIRED)
+find_package(OpenEXR REQUIRED)
+find_package(Boost 1.81 REQUIRED)
+find_package(Protobuf REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(prometheus-cpp REQUIRED)
+find_package(OpenSSL REQUIRED)
+find_package(OpenCV 4.6 REQUIRED COMPONENTS core imgproc calib3d imgcodecs videoio highgui aruco)
+find_package(GTest REQUIRED)
+find_package(benchmark REQUIRED)
+find_package(nlohmann_json REQUIRED)
+pkg_check_modules(EPOXY REQUIRED IMPORTED_TARGET epoxy egl)
+pkg_check_modules(TURBOJPEG REQUIRED IMPORTED_TARGET libturbojpeg)
+
+# Header-only, without a CMake package that can be relied on.
+add_library(amalgam_glm INTERFACE)
+target_compile_definitions(amalgam_glm INTERFACE GLM_FORCE_CTOR_INIT GLM_ENABLE_EXPERIMENTAL)
+add_library(amalgam_cli11 INTERFACE)
+find_path(CLI11_INCLUDE CLI/CLI.hpp REQUIRED)

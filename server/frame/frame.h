@@ -1,0 +1,105 @@
+// What goes into and comes out of the renderer for one frame, and the service that a network session
+// talks to. Nothing here depends on the renderer: sessions and tests see only this.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/camera_model.h"
+#include "core/image.h"
+#include "core/pose.h"
+#include "core/timings.h"
+
+namespace amalgam::frame {
+
+using Bytes = std::vector<std::byte>;
+
+struct FrameInput {
+  // The camera image: a JPEG as the client sent it, or pixels that were decoded already.
+  std::variant<Bytes, core::ImageRgb8> image;
+  std::vector<core::MarkerPose> poses;
+};
+
+// One line of the pass list: what ran, or why it was left out.
+struct PassRecord {
+  std::string name;
+  bool ran = false;
+  std::string reason;  // empty if it ran
+  bool operator==(const PassRecord&) const = default;
+};
+
+struct RayCounts {
+  std::uint64_t primary = 0, reflection = 0, refraction = 0, shadow = 0, lookup = 0;
+};
+
+struct PixelCounts {
+  std::uint64_t virtual_pixels = 0, specular = 0, total = 0;  // of the camera image, or of the ideal image if the lens distorts
+};
+
+struct FrameStatistics {
+  core::StageTimes stages;
+  std::vector<PassRecord> passes;
+  RayCounts rays;
+  PixelCounts pixels;
+  std::uint64_t nonfinite = 0;  // values that a stage had to replace by 0
+  float exposure = 1.0f;
+};
+
+struct FrameOutput {
+  Bytes jpeg;              // the composite; the client's own bytes if nothing virtual had an effect
+  bool unchanged = false;  // those bytes are the input's
+  core::ImageRgb8 pixels;  // the composite, only if ViewOptions::keep_pixels
+  FrameStatistics statistics;
+};
+
+struct ViewOptions {
+  core::CameraModel camera;
+  int jpeg_quality = 0;      // 1..100; 0: the default, and an unaffected frame goes back byte for byte
+  bool keep_pixels = false;  // also return the composite as pixels
+};
+
+struct FrameFailure {
+  // BadImage: the JPEG is unusable (the client's fault); Internal: ours.
+  enum class Kind { BadImage, Internal };
+  Kind kind = Kind::Internal;
+  std::string what;
+};
+using FrameResult = std::variant<FrameOutput, FrameFailure>;
+
+using ViewId = std::uint64_t;
+
+// Renders for many views (a view is one client's camera onto the scene). All functions may be called from any thread and never block on
+// rendering. Per view at most one frame waits; a newer one replaces it.
+class FrameService {
+ public:
+  virtual ~FrameService() = default;
+
+  // Called on the render thread when a frame is done; must be quick and must not throw.
+  using Deliver = std::function<void(std::uint64_t frame_id, FrameResult result)>;
+
+  // Throws std::invalid_argument if core::describe_defect(options.camera) is not empty.
+  virtual ViewId open_view(const ViewOptions& options, Deliver deliver) = 0;
+
+  // Returns true if a frame that was waiting has been replaced (and will never be delivered).
+  virtual bool submit(ViewId view, std::uint64_t frame_id, FrameInput input) = 0;
+
+  // After this returns, deliver is never called again for the view.
+  virtual void close_view(ViewId view) = 0;
+
+  // Markers that a client should look for: ids in the scene, world marker first.
+  struct MarkerSet {
+    std::string dictionary;
+    double marker_length = 0.0;  // metres
+    int world_marker = 0;
+    std::vector<int> ids;
+  };
+  virtual MarkerSet markers() const = 0;
+};
+
+}  // namespace amalgam::frame

@@ -1,0 +1,76 @@
+#include "scene/anchored_scene.h"
+
+#include <map>
+#include <optional>
+
+namespace amalgam::scene {
+namespace {
+
+using MarkerPoses = std::map<int, glm::dmat4>;  // camera_from_anchor (glTF axes)
+
+MarkerPoses usable_poses(std::span<const core::MarkerPose> poses) {
+  MarkerPoses usable;
+  for (const core::MarkerPose& pose : poses) {
+    if (core::is_usable(pose)) {
+      usable.emplace(pose.marker, core::to_matrix(pose) * core::opencv_marker_from_gltf());
+    }
+  }
+  return usable;
+}
+
+// The world marker if it is seen, otherwise the first seen marker that something is bound to.
+std::optional<int> choose_world(const Scene& scene, const MarkerPoses& poses) {
+  if (poses.contains(scene.world.marker)) return scene.world.marker;
+  for (const auto& [marker, pose] : poses) {
+    for (const Instance& instance : scene.instances) {
+      if (instance.marker == marker) return marker;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+AnchoredScene anchor_scene(const Scene& scene, std::span<const core::MarkerPose> poses) {
+  AnchoredScene anchored;
+  const MarkerPoses seen = usable_poses(poses);
+  const std::optional<int> world = choose_world(scene, seen);
+  if (!world) return anchored;
+
+  anchored.world_marker = *world;
+  anchored.camera_from_world = seen.at(*world);
+  const glm::dmat4 world_from_camera = core::rigid_inverse(anchored.camera_from_world);
+
+  // Exactly the identity for what stands on the world marker, so that it is seen not to move.
+  const auto world_from_anchor = [&](const std::optional<int>& bound) -> std::optional<glm::dmat4> {
+    const int marker = bound.value_or(scene.world.marker);
+    if (marker == *world) return glm::dmat4(1.0);
+    const auto found = seen.find(marker);
+    if (found == seen.end()) return std::nullopt;
+    return world_from_camera * found->second;
+  };
+
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+    const Instance& instance = scene.instances[i];
+    if (const auto anchor = world_from_anchor(instance.marker)) {
+      anchored.instances.push_back({i, glm::mat4(*anchor * glm::dmat4(instance.anchor_from_mesh))});
+    }
+  }
+  for (const PunctualLight& punctual : scene.punctual_lights) {
+    const auto anchor = world_from_anchor(punctual.marker);
+    if (!anchor) continue;
+    const glm::dmat4 world_from_light = *anchor * glm::dmat4(punctual.anchor_from_light);
+    Light light;
+    light.kind = static_cast<Light::Kind>(punctual.kind);
+    light.to_light = glm::vec3(glm::normalize(glm::dvec3(world_from_light[2])));
+    light.position = glm::vec3(world_from_light[3]);
+    light.intensity = punctual.intensity;
+    light.range = punctual.range;
+    light.cos_inner = punctual.cos_inner;
+    light.cos_outer = punctual.cos_outer;
+    anchored.punctual_lights.push_back(light);
+  }
+  return anchored;
+}
+
+}  // namespace amalgam::scene

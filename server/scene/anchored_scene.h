@@ -1,0 +1,33 @@
+// A scene placed in front of one camera for one frame: poses in, world-frame transforms out.
+//
+// The world frame is the world marker's (glTF axes: +Y out of the paper). If that marker is unseen but others
+// that objects are bound to are seen, the first of those (in order of id) stands in for it, so that its objects still show.
+#pragma once
+
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <span>
+#include <vector>
+
+#include "core/pose.h"
+#include "scene/light.h"
+#include "scene/scene.h"
+
+namespace amalgam::scene {
+
+struct AnchoredInstance {
+  std::uint32_t instance = 0;  // index into Scene::instances
+  glm::mat4 world_from_mesh{1.0f};
+};
+
+struct AnchoredScene {
+  glm::dmat4 camera_from_world{1.0};  // rigid; camera: x right, y down, z forward
+  std::vector<AnchoredInstance> instances;  // those whose marker is seen, in scene order
+  std::vector<Light> punctual_lights;       // those whose marker is seen
+  int world_marker = 0;                     // the marker whose frame is the world
+};
+
+// Unusable poses (core::is_usable) are ignored. Without any pose that something is bound to, no instance is anchored.
+AnchoredScene anchor_scene(const Scene& scene, std::span<const core::MarkerPose> poses);
+
+}  // namespace amalgam::scene

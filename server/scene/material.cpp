@@ -1,0 +1,25 @@
+#include "scene/material.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+
+namespace amalgam::scene {
+
+PhongTerms phong_terms(const Material& material, const glm::vec3& base_color) {
+  constexpr float kDielectricF0 = 0.04f;  // glTF 2.0, appendix B: plastics and the like
+  constexpr float kMaxExponent = 1024.0f;
+  const float alpha = material.roughness * material.roughness;
+  PhongTerms terms;
+  terms.specular = glm::mix(glm::vec3(kDielectricF0), base_color, material.metallic);
+  terms.albedo = base_color * (1.0f - material.metallic) * (1.0f - kDielectricF0);
+  terms.exponent = std::clamp(0.5f / std::max(alpha * alpha, 1e-6f) - 0.5f, 0.0f, kMaxExponent);
+  return terms;
+}
+
+float normal_reflectance(float ior) {
+  const float ratio = (ior - 1.0f) / (ior + 1.0f);
+  return ratio * ratio;
+}
+
+}  // namespace amalgam::scene

@@ -1,0 +1,81 @@
+// A loaded scene as plain data: what glTF said, checked and resolved, with nothing of any renderer in it.
+//
+// Metres, right-handed, +Y up. Everything stands in an *anchor* frame: the frame on a marker (origin at
+// its centre, +Y out of the paper, +X along its right), the world marker's unless a node names another.
+#pragma once
+
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/image.h"
+#include "scene/environment.h"
+#include "scene/material.h"
+
+namespace amalgam::scene {
+
+// A *real* object is a model of something the camera sees already; a *virtual* one is added.
+enum class Role : std::uint8_t { Real, Virtual };
+
+// One glTF primitive. Indices are in range, positions finite and normals unit by construction
+// (scene/gltf_loader): zero-area triangles are dropped, missing normals computed flat.
+struct Mesh {
+  std::string name;
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> normals;  // as many as positions
+  std::vector<glm::vec2> uvs;      // as many as positions, or none
+  std::vector<glm::uvec3> triangles;
+};
+
+enum class Wrap : std::uint8_t { Repeat, Mirror, Clamp };
+
+// Colour textures are sRGB-encoded as in the file; alpha is linear. uv (0, 0) is the top left corner.
+struct Texture {
+  core::ImageRgba8 texels;
+  Wrap wrap_u = Wrap::Repeat;
+  Wrap wrap_v = Wrap::Repeat;
+};
+
+struct Instance {
+  std::string node;                // for messages
+  std::uint32_t mesh = 0;          // index into Scene::meshes
+  std::uint32_t material = 0;      // index into Scene::materials
+  glm::mat4 anchor_from_mesh{1.0f};  // affine, may scale and mirror; condition <= 1e6
+  std::optional<int> marker{};     // the marker it is bound to; none: the world marker
+  Role role = Role::Virtual;
+};
+
+// KHR_lights_punctual. Point and spot: candela; directional: lux (taken as radiance units x sr).
+struct PunctualLight {
+  enum class Kind : std::uint8_t { Directional, Point, Spot };
+  std::string node;
+  Kind kind = Kind::Directional;
+  glm::vec3 intensity{0.0f};          // colour times intensity, linear
+  float range = 0.0f;                 // metres; 0 = unlimited
+  float cos_inner = 1.0f, cos_outer = 0.7071068f;  // spot cone
+  glm::mat4 anchor_from_light{1.0f};  // the light shines along its -Z
+  std::optional<int> marker{};
+};
+
+struct World {
+  int marker = 0;                         // defines the world frame
+  std::string dictionary = "DICT_6X6_250";
+  double marker_length = 0.05;            // metres
+};
+
+struct Scene {
+  World world;
+  std::vector<Mesh> meshes;
+  std::vector<Material> materials;
+  std::vector<Texture> textures;
+  std::vector<Instance> instances;
+  std::vector<PunctualLight> punctual_lights;
+  std::optional<Environment> environment;
+  std::vector<std::string> notes;  // what the loader repaired or ignored, a line each
+};
+
+}  // namespace amalgam::scene
