@@ -1,0 +1,224 @@
+// The frame graph: passes declare what they read and write, and only what the output needs runs.
+//
+// One mechanism leaves everything out: a resource may be *absent, with a reason*. A pass that needs an absent
+// resource is left out for that reason, and what it would have written is absent for the same reason. Absence comes from
+// three sides: a scene that lacks a feature (absent()), a pass that finds at run time that it has nothing to give
+// (Access::leave_empty), and the walk back from the output, which never reaches what nobody reads. Evaluation is by
+// demand, so "decode the camera image only if something is composited" is a consequence and not a rule.
+//
+// A graph lives for one frame on one thread.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <typeindex>
+#include <utility>
+#include <vector>
+
+#include "core/log.h"
+#include "core/timings.h"
+
+namespace amalgam::graph {
+
+template <typename T>
+class Handle {
+ public:
+  Handle() = default;
+  bool is_set() const { return index_ >= 0; }
+
+ private:
+  friend class FrameGraph;
+  friend class Builder;
+  friend class Access;
+  explicit Handle(int index) : index_(index) {}
+  int index_ = -1;
+};
+
+struct PassReport {
+  std::string name;
+  bool ran = false;
+  std::string reason;         // why it was left out; empty if it ran
+  double milliseconds = 0.0;  // of the pass alone, without what it waited for
+};
+
+class FrameGraph;
+
+// What a pass says about itself while it is added.
+class Builder {
+ public:
+  // Without this the pass is left out. An unset handle counts as absent.
+  template <typename T>
+  void needs(Handle<T> handle);
+  // Made available first if it can be; the pass runs all the same without it.
+  template <typename T>
+  void uses(Handle<T> handle);
+  template <typename T>
+  [[nodiscard]] Handle<T> writes(std::string resource);
+
+ private:
+  friend class FrameGraph;
+  Builder(FrameGraph& graph, int pass) : graph_(graph), pass_(pass) {}
+  FrameGraph& graph_;
+  int pass_;
+};
+
+// What a pass may touch while it runs: only what it declared.
+class Access {
+ public:
+  template <typename T>
+  const T& get(Handle<T> handle) const;
+  // For handles given to uses(): null if absent or unset.
+  template <typename T>
+  const T* find(Handle<T> handle) const;
+  template <typename T>
+  void set(Handle<T> handle, T value) const;
+  // This pass ran but has nothing to give: whoever needs the resource is left out with this reason.
+  template <typename T>
+  void leave_empty(Handle<T> handle, std::string reason) const;
+
+ private:
+  friend class FrameGraph;
+  Access(FrameGraph& graph, int pass) : graph_(graph), pass_(pass) {}
+  FrameGraph& graph_;
+  int pass_;
+};
+
+class FrameGraph {
+ public:
+  // A resource that exists already.
+  template <typename T>
+  Handle<T> import(std::string name, T value) {
+    const Handle<T> handle(add_resource(std::move(name), typeid(T), kNoPass));
+    store(handle.index_, std::make_shared<T>(std::move(value)));
+    return handle;
+  }
+
+  // A resource that this frame or scene does not have.
+  template <typename T>
+  Handle<T> absent(std::string name, std::string reason) {
+    const Handle<T> handle(add_resource(std::move(name), typeid(T), kNoPass));
+    make_absent(handle.index_, std::move(reason));
+    return handle;
+  }
+
+  // declare(Builder&) names the reads and writes; execute(const Access&) does the work, at most once.
+  void add_pass(std::string name, const std::function<void(Builder&)>& declare,
+                std::function<void(const Access&)> execute);
+
+  // A line in the pass list for work that is known beforehand not to be needed (its result is cached, say).
+  void note_left_out(std::string name, std::string reason);
+
+  // Runs what the resource needs, and nothing else. Null if it is absent.
+  template <typename T>
+  const T* realise(Handle<T> handle) {
+    if (!handle.is_set() || !make_available(handle.index_)) return nullptr;
+    return value<T>(handle.index_);
+  }
+
+  // Why a resource is absent, after realise() gave null.
+  template <typename T>
+  std::string reason_absent(Handle<T> handle) const {
+    return handle.is_set() ? resources_[static_cast<std::size_t>(handle.index_)].reason
+                           : std::string(kUnsetReason);
+  }
+
+  // One entry a pass, in the order in which they were added.
+  std::vector<PassReport> reports() const;
+
+  // The graph in Graphviz's language: boxes are passes (dashed: left out), ellipses are resources.
+  std::string to_graphviz() const;
+
+ private:
+  friend class Builder;
+  friend class Access;
+  static constexpr int kNoPass = -1;
+  static constexpr const char* kUnsetReason = "an input was not connected";
+
+  enum class State : std::uint8_t { Unknown, Available, Absent };
+  struct Resource {
+    std::string name;
+    std::type_index type;
+    int producer = kNoPass;
+    State state = State::Unknown;
+    std::shared_ptr<void> value{};
+    std::string reason{};
+  };
+  struct Read {
+    int resource = -1;
+    bool required = false;
+  };
+  struct Pass {
+    PassReport report;
+    std::function<void(const Access&)> execute;
+    std::vector<Read> reads{};
+    std::vector<int> writes{};
+    bool visited = false;
+  };
+
+  int add_resource(std::string name, std::type_index type, int producer);
+  void add_read(int pass, int resource, bool required);
+  void store(int resource, std::shared_ptr<void> value);
+  void make_absent(int resource, std::string reason);
+  bool make_available(int resource);
+  void run(Pass& pass, int index);
+  void leave_out(Pass& pass, const std::string& reason);
+  void check_declared(bool declared, const char* verb, int pass, int resource) const;
+  bool declares_read(int pass, int resource) const;
+  bool declares_write(int pass, int resource) const;
+
+  template <typename T>
+  const T* value(int resource) const {
+    const Resource& r = resources_[static_cast<std::size_t>(resource)];
+    AMALGAM_CHECK(r.type == std::type_index(typeid(T)), "resource " + r.name);
+    return static_cast<const T*>(r.value.get());
+  }
+
+  std::vector<Resource> resources_;
+  std::vector<Pass> passes_;
+};
+
+template <typename T>
+void Builder::needs(Handle<T> handle) {
+  graph_.add_read(pass_, handle.index_, true);
+}
+
+template <typename T>
+void Builder::uses(Handle<T> handle) {
+  if (handle.is_set()) graph_.add_read(pass_, handle.index_, false);
+}
+
+template <typename T>
+Handle<T> Builder::writes(std::string resource) {
+  return Handle<T>(graph_.add_resource(std::move(resource), typeid(T), pass_));
+}
+
+template <typename T>
+const T& Access::get(Handle<T> handle) const {
+  graph_.check_declared(graph_.declares_read(pass_, handle.index_), "reads", pass_, handle.index_);
+  const T* value = graph_.value<T>(handle.index_);
+  AMALGAM_CHECK(value != nullptr, "read of an absent resource");
+  return *value;
+}
+
+template <typename T>
+const T* Access::find(Handle<T> handle) const {
+  if (!handle.is_set()) return nullptr;
+  graph_.check_declared(graph_.declares_read(pass_, handle.index_), "reads", pass_, handle.index_);
+  return graph_.value<T>(handle.index_);
+}
+
+template <typename T>
+void Access::set(Handle<T> handle, T value) const {
+  graph_.check_declared(graph_.declares_write(pass_, handle.index_), "writes", pass_, handle.index_);
+  graph_.store(handle.index_, std::make_shared<T>(std::move(value)));
+}
+
+template <typename T>
+void Access::leave_empty(Handle<T> handle, std::string reason) const {
+  graph_.check_declared(graph_.declares_write(pass_, handle.index_), "writes", pass_, handle.index_);
+  graph_.make_absent(handle.index_, std::move(reason));
+}
+
+}  // namespace amalgam::graph
