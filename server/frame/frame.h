@@ -1,5 +1,5 @@
-// What goes into and comes out of the renderer for one frame, and the service that a network session
-// talks to. Nothing here depends on the renderer: sessions and tests see only this.
+// What goes into and comes out of the renderer for one frame, and the service that a network
+// session talks to. Nothing here depends on the renderer: sessions and tests see only this.
 #pragma once
 
 #include <chrono>
@@ -39,7 +39,8 @@ struct RayCounts {
 };
 
 struct PixelCounts {
-  std::uint64_t virtual_pixels = 0, specular = 0, total = 0;  // of the camera image, or of the ideal image if the lens distorts
+  std::uint64_t virtual_pixels = 0, specular = 0,
+                total = 0;  // of the camera image, or of the ideal image if the lens distorts
 };
 
 struct FrameStatistics {
@@ -60,7 +61,7 @@ struct FrameOutput {
 
 struct ViewOptions {
   core::CameraModel camera;
-  int jpeg_quality = 0;      // 1..100; 0: the default, and an unaffected frame goes back byte for byte
+  int jpeg_quality = 0;  // 1..100; 0: the default, and an unaffected frame goes back byte for byte
   bool keep_pixels = false;  // also return the composite as pixels
 };
 
@@ -74,8 +75,9 @@ using FrameResult = std::variant<FrameOutput, FrameFailure>;
 
 using ViewId = std::uint64_t;
 
-// Renders for many views (a view is one client's camera onto the scene). All functions may be called from any thread and never block on
-// rendering. Per view at most one frame waits; a newer one replaces it.
+// Renders for many views (a view is one client's camera onto the scene). All functions may be
+// called from any thread and never block on rendering. Per view at most one frame waits; a newer
+// one replaces it.
 class FrameService {
  public:
   virtual ~FrameService() = default;

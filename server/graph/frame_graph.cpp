@@ -14,7 +14,8 @@ void FrameGraph::add_pass(std::string name, const std::function<void(Builder&)>&
 }
 
 void FrameGraph::note_left_out(std::string name, std::string reason) {
-  passes_.push_back({.report = {.name = std::move(name), .reason = std::move(reason)}, .execute = {}});
+  passes_.push_back(
+      {.report = {.name = std::move(name), .reason = std::move(reason)}, .execute = {}});
   passes_.back().visited = true;
 }
 
@@ -45,8 +46,9 @@ void FrameGraph::make_absent(int resource, std::string reason) {
   r.reason = std::move(reason);
 }
 
-// The walk back from the output. A pass is visited at most once; required inputs are asked for in the
-// order in which they were declared, and the first absent one ends the matter before dearer inputs are made.
+// The walk back from the output. A pass is visited at most once; required inputs are asked for in
+// the order in which they were declared, and the first absent one ends the matter before dearer
+// inputs are made.
 bool FrameGraph::make_available(int resource) {
   const auto index = static_cast<std::size_t>(resource);
   if (resources_[index].state == State::Unknown) {
@@ -94,9 +96,11 @@ std::vector<PassReport> FrameGraph::reports() const {
     // Never reached: say whose absence made it unnecessary, or that nobody reads it.
     std::string reason = "nothing reads its result";
     for (const Pass& reader : passes_) {
-      const bool reads_it = std::any_of(reader.reads.begin(), reader.reads.end(), [&](const Read& r) {
-        return std::find(pass.writes.begin(), pass.writes.end(), r.resource) != pass.writes.end();
-      });
+      const bool reads_it =
+          std::any_of(reader.reads.begin(), reader.reads.end(), [&](const Read& r) {
+            return std::find(pass.writes.begin(), pass.writes.end(), r.resource) !=
+                   pass.writes.end();
+          });
       if (reads_it && !reader.report.reason.empty()) {
         reason = reader.report.reason;
         break;
@@ -115,7 +119,8 @@ std::string FrameGraph::to_graphviz() const {
     dot << "  p" << p << " [shape=box,label=\"" << pass.report.name << "\""
         << (pass.report.ran ? "" : ",style=dashed") << "];\n";
     for (const Read& read : pass.reads) {
-      dot << "  r" << read.resource << " -> p" << p << (read.required ? "" : " [style=dotted]") << ";\n";
+      dot << "  r" << read.resource << " -> p" << p << (read.required ? "" : " [style=dotted]")
+          << ";\n";
     }
     for (const int written : pass.writes) dot << "  p" << p << " -> r" << written << ";\n";
   }
@@ -129,7 +134,8 @@ std::string FrameGraph::to_graphviz() const {
 
 bool FrameGraph::declares_read(int pass, int resource) const {
   const auto& reads = passes_[static_cast<std::size_t>(pass)].reads;
-  return std::any_of(reads.begin(), reads.end(), [&](const Read& r) { return r.resource == resource; });
+  return std::any_of(reads.begin(), reads.end(),
+                     [&](const Read& r) { return r.resource == resource; });
 }
 
 bool FrameGraph::declares_write(int pass, int resource) const {
@@ -138,8 +144,9 @@ bool FrameGraph::declares_write(int pass, int resource) const {
 }
 
 void FrameGraph::check_declared(bool declared, const char* verb, int pass, int resource) const {
-  AMALGAM_CHECK(declared, "pass '" + passes_[static_cast<std::size_t>(pass)].report.name + "' " + verb +
-                              " resource " + std::to_string(resource) + " without declaring it");
+  AMALGAM_CHECK(declared, "pass '" + passes_[static_cast<std::size_t>(pass)].report.name + "' " +
+                              verb + " resource " + std::to_string(resource) +
+                              " without declaring it");
 }
 
 }  // namespace amalgam::graph

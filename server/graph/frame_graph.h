@@ -1,10 +1,11 @@
 // The frame graph: passes declare what they read and write, and only what the output needs runs.
 //
-// One mechanism leaves everything out: a resource may be *absent, with a reason*. A pass that needs an absent
-// resource is left out for that reason, and what it would have written is absent for the same reason. Absence comes from
-// three sides: a scene that lacks a feature (absent()), a pass that finds at run time that it has nothing to give
-// (Access::leave_empty), and the walk back from the output, which never reaches what nobody reads. Evaluation is by
-// demand, so "decode the camera image only if something is composited" is a consequence and not a rule.
+// One mechanism leaves everything out: a resource may be *absent, with a reason*. A pass that needs
+// an absent resource is left out for that reason, and what it would have written is absent for the
+// same reason. Absence comes from three sides: a scene that lacks a feature (absent()), a pass that
+// finds at run time that it has nothing to give (Access::leave_empty), and the walk back from the
+// output, which never reaches what nobody reads. Evaluation is by demand, so "decode the camera
+// image only if something is composited" is a consequence and not a rule.
 //
 // A graph lives for one frame on one thread.
 #pragma once
@@ -37,9 +38,9 @@ class Handle {
 };
 
 struct PassReport {
-  std::string name;
+  std::string name{};
   bool ran = false;
-  std::string reason;         // why it was left out; empty if it ran
+  std::string reason{};       // why it was left out; empty if it ran
   double milliseconds = 0.0;  // of the pass alone, without what it waited for
 };
 
@@ -103,11 +104,13 @@ class FrameGraph {
     return handle;
   }
 
-  // declare(Builder&) names the reads and writes; execute(const Access&) does the work, at most once.
+  // declare(Builder&) names the reads and writes; execute(const Access&) does the work, at most
+  // once.
   void add_pass(std::string name, const std::function<void(Builder&)>& declare,
                 std::function<void(const Access&)> execute);
 
-  // A line in the pass list for work that is known beforehand not to be needed (its result is cached, say).
+  // A line in the pass list for work that is known beforehand not to be needed (its result is
+  // cached, say).
   void note_left_out(std::string name, std::string reason);
 
   // Runs what the resource needs, and nothing else. Null if it is absent.
@@ -150,8 +153,8 @@ class FrameGraph {
     bool required = false;
   };
   struct Pass {
-    PassReport report;
-    std::function<void(const Access&)> execute;
+    PassReport report{};
+    std::function<void(const Access&)> execute{};
     std::vector<Read> reads{};
     std::vector<int> writes{};
     bool visited = false;
@@ -211,13 +214,15 @@ const T* Access::find(Handle<T> handle) const {
 
 template <typename T>
 void Access::set(Handle<T> handle, T value) const {
-  graph_.check_declared(graph_.declares_write(pass_, handle.index_), "writes", pass_, handle.index_);
+  graph_.check_declared(graph_.declares_write(pass_, handle.index_), "writes", pass_,
+                        handle.index_);
   graph_.store(handle.index_, std::make_shared<T>(std::move(value)));
 }
 
 template <typename T>
 void Access::leave_empty(Handle<T> handle, std::string reason) const {
-  graph_.check_declared(graph_.declares_write(pass_, handle.index_), "writes", pass_, handle.index_);
+  graph_.check_declared(graph_.declares_write(pass_, handle.index_), "writes", pass_,
+                        handle.index_);
   graph_.make_absent(handle.index_, std::move(reason));
 }
 

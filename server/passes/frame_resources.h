@@ -17,11 +17,12 @@ namespace amalgam::passes {
 
 // One frame's geometry, ready to be drawn or traced.
 struct RenderView {
-  core::CameraModel camera;         // as the client has it, with distortion
-  core::CameraModel ideal;          // what is rendered: pinhole, with a margin; equals camera without distortion
-  scene::AnchoredScene scene;       // world-frame transforms and the camera
-  std::vector<scene::Light> lights; // environment and punctual lights, world frame
-  int samples_per_side = 1;         // n: n x n samples a pixel on a regular grid, 1..4
+  core::CameraModel camera;  // as the client has it, with distortion
+  core::CameraModel
+      ideal;  // what is rendered: pinhole, with a margin; equals camera without distortion
+  scene::AnchoredScene scene;        // world-frame transforms and the camera
+  std::vector<scene::Light> lights;  // environment and punctual lights, world frame
+  int samples_per_side = 1;          // n: n x n samples a pixel on a regular grid, 1..4
 };
 
 // A texture on the GPU, owned elsewhere and valid until the end of the frame.
@@ -35,14 +36,16 @@ struct SampleMask {
   core::Image<std::uint8_t> flags;
 };
 
-// Camera-frame z (metres, positive) of the nearest *real* surface at each ideal pixel's centre; infinity where there is none.
+// Camera-frame z (metres, positive) of the nearest *real* surface at each ideal pixel's centre;
+// infinity where there is none.
 struct RealDepth {
   core::Image32f z;
 };
 
-// The three layers of the composite (eq. 4.5 per sample, averaged over a pixel), display-linear, ideal camera geometry.
+// The three layers of the composite (eq. 4.5 per sample, averaged over a pixel), display-linear,
+// ideal camera geometry.
 struct Layers {
-  core::ImageRgba32f over;       // A = mean(M_v (TM(I_m) + I_e)), premultiplied; alpha: a = mean(M_v)
+  core::ImageRgba32f over;  // A = mean(M_v (TM(I_m) + I_e)), premultiplied; alpha: a = mean(M_v)
   core::ImageRgb32f difference;  // D = mean((1 - M_v) (TM(I_m) - TM(I_r))), signed
 };
 
