@@ -1,0 +1,27 @@
+// Reads a camera's calibration, so that poses and rendering use the lens that took the picture.
+//
+// Files are OpenCV's (YAML, XML or JSON as cv::FileStorage reads them): camera_matrix (3x3,
+// pixels), distortion_coefficients (0 to 14 numbers in OpenCV's order; the two of a tilted sensor
+// must be 0), optionally image_width and image_height (pixels). Errors are std::runtime_error with
+// one line.
+#pragma once
+
+#include <filesystem>
+
+#include "core/camera_model.h"
+
+namespace amalgam::client {
+
+// Width and height of the result are 0 if the file does not state them: see fit_to_image().
+core::CameraModel load_calibration(const std::filesystem::path& file);
+
+// The calibration for images of this size (pixels). A calibration without a size takes the image's;
+// one of another size is scaled if the sides keep their ratio to within one pixel. Throws
+// otherwise, and if the result is not a camera that can be rendered with.
+core::CameraModel fit_to_image(const core::CameraModel& calibration, int width, int height);
+
+// A guess for an unknown camera: 60 degrees wide, square pixels, no distortion. Poses come out in
+// about the right proportion; distances are only as right as the guess.
+core::CameraModel default_camera(int width, int height);
+
+}  // namespace amalgam::client

@@ -1,0 +1,14 @@
+// Finds the set of marker patterns that a name stands for.
+#pragma once
+
+#include <opencv2/aruco/dictionary.hpp>
+#include <string>
+
+namespace amalgam::client {
+
+// A predefined dictionary of OpenCV ("DICT_6X6_250", "DICT_APRILTAG_36h11", ...), or the path of a
+// dictionary file (.yml, .yaml: nmarkers, markersize, marker_0, ...). Throws std::runtime_error for
+// anything else; an unknown name is answered with the names that are known.
+cv::Ptr<cv::aruco::Dictionary> find_dictionary(const std::string& name);
+
+}  // namespace amalgam::client
