@@ -1,0 +1,99 @@
+#include "client/synthetic_camera.h"
+
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <stdexcept>
+
+#include "client/synthetic_path.h"
+
+namespace amalgam::client {
+namespace {
+
+constexpr int kSamplesPerSide = 2;  // a pixel is the mean of 2x2
+
+// Samples lie in the middle of their part of the pixel, whose centre has whole coordinates.
+double sample_position(int sample) {
+  return (sample + 0.5) / kSamplesPerSide - 0.5;
+}
+
+// The wall behind the desk, by how steeply a ray leaves: it gives mirrors and horizons a direction.
+glm::vec3 wall(const glm::dvec3& direction) {
+  const double height = direction.z / glm::length(direction);
+  const auto lit = static_cast<float>(glm::clamp(0.55 + 0.6 * height, 0.25, 1.0));
+  return glm::vec3(196, 208, 220) * lit;
+}
+
+}  // namespace
+
+SyntheticCamera::SyntheticCamera(const core::CameraModel& camera)
+    : SyntheticCamera(camera, std::make_shared<const SyntheticDesk>(PrintedMarker{})) {}
+
+SyntheticCamera::SyntheticCamera(const core::CameraModel& camera,
+                                 std::shared_ptr<const SyntheticDesk> desk)
+    : camera_(camera), desk_(std::move(desk)) {
+  if (const std::string defect = core::describe_defect(camera); !defect.empty()) {
+    throw std::runtime_error("the synthetic camera cannot be made: " + defect);
+  }
+  if (!camera.has_distortion()) return;
+  // Inverting the lens costs more than all else of a sample, and is the same in every frame.
+  const int width = camera.width * kSamplesPerSide, height = camera.height * kSamplesPerSide;
+  distorted_rays_.reserve(core::checked_pixel_count(width, height));
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const auto direction =
+          core::pixel_direction(camera, {sample_position(x), sample_position(y)});
+      if (!direction) throw std::runtime_error("the lens cannot be inverted at a pixel");
+      distorted_rays_.emplace_back(direction->x, direction->y);
+    }
+  }
+}
+
+SyntheticFrame SyntheticCamera::render(std::uint64_t frame) const {
+  const core::MarkerPose pose = synthetic_pose(frame, desk_->marker().id);
+  return {render(pose), pose};
+}
+
+glm::dvec2 SyntheticCamera::ray(int sample_x, int sample_y) const {
+  if (!distorted_rays_.empty()) {
+    const auto row = static_cast<std::size_t>(sample_y) *
+                     static_cast<std::size_t>(camera_.width * kSamplesPerSide);
+    return distorted_rays_[row + static_cast<std::size_t>(sample_x)];
+  }
+  return {(sample_position(sample_x) - camera_.cx) / camera_.fx,
+          (sample_position(sample_y) - camera_.cy) / camera_.fy};
+}
+
+core::ImageRgb8 SyntheticCamera::render(const core::MarkerPose& pose) const {
+  const glm::dmat4 marker_from_camera = core::rigid_inverse(core::to_matrix(pose));
+  const glm::dmat3 rotation(marker_from_camera);
+  const glm::dvec3 eye(marker_from_camera[3]);
+  const double sample_angle = 1.0 / (kSamplesPerSide * camera_.fx);  // radians, about
+
+  const auto see = [&](int sample_x, int sample_y) {
+    const glm::dvec2 at = ray(sample_x, sample_y);
+    const glm::dvec3 direction = rotation * glm::dvec3(at, 1.0);
+    const double distance = -eye.z / direction.z;  // along z of the camera
+    if (!(distance > 0)) return wall(direction);
+    const glm::dvec2 point = glm::dvec2(eye) + distance * glm::dvec2(direction);
+    return desk_->covers(point) ? desk_->colour(point, distance * sample_angle) : wall(direction);
+  };
+
+  core::ImageRgb8 image(camera_.width, camera_.height);
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) {
+      // The mean of encoded values, not of light: a mean of light would shift every black-white
+      // edge into the black, and the marker would be measured too small.
+      glm::vec3 sum(0.0f);
+      for (int j = 0; j < kSamplesPerSide; ++j) {
+        for (int i = 0; i < kSamplesPerSide; ++i) {
+          sum += see(x * kSamplesPerSide + i, y * kSamplesPerSide + j);
+        }
+      }
+      image.at(x, y) = core::Rgb8(sum / float{kSamplesPerSide * kSamplesPerSide} + 0.5f);
+    }
+  }
+  return image;
+}
+
+}  // namespace amalgam::client

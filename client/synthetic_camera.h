@@ -1,0 +1,46 @@
+// A camera that needs no hardware: it films the synthetic desk from poses that are known exactly.
+//
+// Every frame is a function of its pose alone, the same on every machine. Lens distortion, where
+// the camera has some, is that of core/camera_model.h.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "client/synthetic_desk.h"
+#include "core/camera_model.h"
+#include "core/image.h"
+#include "core/pose.h"
+
+namespace amalgam::client {
+
+struct SyntheticFrame {
+  core::ImageRgb8 image;
+  core::MarkerPose pose;  // true camera_from_marker
+};
+
+class SyntheticCamera {
+ public:
+  // The desk may be shared between cameras; making one takes some tenths of a second. Throws
+  // std::runtime_error if the camera has a defect.
+  SyntheticCamera(const core::CameraModel& camera, std::shared_ptr<const SyntheticDesk> desk);
+  explicit SyntheticCamera(const core::CameraModel& camera);
+
+  // Frame 0, 1, ... of the path in synthetic_path.h.
+  SyntheticFrame render(std::uint64_t frame) const;
+
+  // The desk as seen from any pose in front of it.
+  core::ImageRgb8 render(const core::MarkerPose& pose) const;
+
+  const core::CameraModel& camera() const { return camera_; }
+
+ private:
+  glm::dvec2 ray(int sample_x, int sample_y) const;
+
+  core::CameraModel camera_;
+  std::shared_ptr<const SyntheticDesk> desk_;
+  std::vector<glm::dvec2> distorted_rays_;  // a sample each, row by row; empty without distortion
+};
+
+}  // namespace amalgam::client

@@ -1,0 +1,45 @@
+// What the synthetic camera looks at: a wooden desk with a sheet of paper that bears a real ArUco
+// marker, and flat coloured things around it that are recognisable when glass turns them upside
+// down.
+//
+// The desk is the plane z = 0 of OpenCV's marker frame: points are (x to the marker's right, y to
+// its top) in metres. Colours are 8-bit sRGB values, 0..255, in floating point.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+#include "client/desk_texture.h"
+
+namespace amalgam::client {
+
+struct PrintedMarker {
+  std::string dictionary = "DICT_6X6_250";
+  int id = 40;
+  double length = 0.05;  // metres, side of the black square
+};
+
+class SyntheticDesk {
+ public:
+  // Throws std::runtime_error if the dictionary is unknown, has no such marker, or the marker would
+  // not fit on the sheet with a margin.
+  explicit SyntheticDesk(const PrintedMarker& marker);
+
+  bool covers(const glm::dvec2& point) const { return whole_.covers(point); }
+
+  // footprint: metres on the desk that the sample stands for. The point must be covered.
+  glm::vec3 colour(const glm::dvec2& point, double footprint) const;
+
+  const PrintedMarker& marker() const { return marker_; }
+
+ private:
+  PrintedMarker marker_;
+  int cells_ = 0;                    // along a side, with the black border
+  std::vector<unsigned char> bits_;  // cells_ x cells_, row 0 at the top; 1 is white
+  DeskTexture whole_;                // coarse, to the desk's edges
+  DeskTexture near_;                 // fine, around the sheet
+};
+
+}  // namespace amalgam::client
