@@ -1,0 +1,59 @@
+// A scene's meshes, textures and materials on the GPU, uploaded once.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "gl/buffer.h"
+#include "gl/texture.h"
+#include "gl/vertex_array.h"
+#include "scene/scene.h"
+
+namespace amalgam::gl {
+
+struct GpuMesh {
+  VertexArray vertices;
+  Buffer face_normals;        // unit geometric normals in mesh space, by gl_PrimitiveID
+  glm::vec3 low{0}, high{0};  // bounds in mesh space, metres
+};
+
+// What passes need to know of Scene::instances and their materials.
+struct GpuInstanceInfo {
+  std::uint32_t mesh = 0;
+  std::uint32_t material = 0;
+  scene::Role role = scene::Role::Virtual;
+  scene::MaterialKind kind = scene::MaterialKind::Diffuse;
+};
+
+// What shaders can do without, because the scene has none of it.
+struct SceneFeatures {
+  bool textures = false;
+  bool real_opaque = false, virtual_opaque = false;  // casters of shadows
+  bool real_glass = false, virtual_glass = false;
+};
+SceneFeatures find_features(const scene::Scene& scene);
+
+class GpuScene {
+ public:
+  explicit GpuScene(const scene::Scene& scene);  // which need not outlive it
+
+  const std::vector<GpuMesh>& meshes() const { return meshes_; }
+  const std::vector<GpuInstanceInfo>& instances() const { return instances_; }
+
+  // Binds what drawing with this material needs: its base colour texture.
+  void bind_material(std::uint32_t material) const;
+  // Binds what all drawing needs: the table of materials and of sRGB's curve.
+  void bind_tables() const;
+  void draw_mesh(std::uint32_t mesh) const;
+
+ private:
+  std::vector<GpuMesh> meshes_;
+  std::vector<GpuInstanceInfo> instances_;
+  std::vector<Texture> textures_;  // the last one is white, for materials without
+  std::vector<std::uint32_t> texture_of_material_;
+  Buffer materials_;
+  Buffer srgb_table_;
+};
+
+}  // namespace amalgam::gl

@@ -1,0 +1,52 @@
+// Owns one OpenGL texture: two-dimensional, or an array of layers; immutable storage, one level.
+//
+// Row 0 is the top of the picture (see passes/upload_view.h), so nothing is ever flipped.
+#pragma once
+
+#include <epoxy/gl.h>
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+
+namespace amalgam::gl {
+
+enum class TextureFormat : std::uint8_t { R8ui, Rgba8ui, Rgba32f, Depth32f };
+
+class Texture {
+ public:
+  // layers = 0: two-dimensional; otherwise an array. Throws std::runtime_error if the driver has no
+  // memory for it or a side is beyond its limit.
+  Texture(TextureFormat format, glm::ivec2 size, int layers = 0);
+  ~Texture();
+  Texture(Texture&& other) noexcept;
+  Texture& operator=(Texture&& other) noexcept;
+  Texture(const Texture&) = delete;
+  Texture& operator=(const Texture&) = delete;
+
+  GLuint id() const { return id_; }
+  TextureFormat format() const { return format_; }
+  glm::ivec2 size() const { return size_; }
+  int layers() const { return layers_; }
+  bool is_array() const { return layers_ > 0; }
+
+  // Rows of tightly packed texels, top row first. Two-dimensional textures only.
+  void upload(const void* texels);
+  void read(void* texels, std::size_t bytes) const;  // bytes: exactly what the texture holds
+
+  // Makes look-ups compare with the stored reversed depth: 1 where reference >= depth, linearly
+  // weighted over 2x2 texels.
+  void set_depth_comparison();
+
+  void bind(GLuint unit) const;
+
+ private:
+  GLuint id_ = 0;
+  TextureFormat format_;
+  glm::ivec2 size_;
+  int layers_;
+};
+
+// Bytes of one texel.
+std::size_t texel_bytes(TextureFormat format);
+
+}  // namespace amalgam::gl

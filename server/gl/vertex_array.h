@@ -1,0 +1,30 @@
+// Owns one indexed triangle mesh in GPU memory: its vertices, indices and their layout.
+#pragma once
+
+#include <epoxy/gl.h>
+
+#include "gl/buffer.h"
+#include "scene/scene.h"
+
+namespace amalgam::gl {
+
+class VertexArray {
+ public:
+  // Attributes 0 position, 1 normal, 2 uv (zero if the mesh has none).
+  explicit VertexArray(const scene::Mesh& mesh);
+  ~VertexArray();
+  VertexArray(VertexArray&& other) noexcept;
+  VertexArray& operator=(VertexArray&& other) noexcept;
+  VertexArray(const VertexArray&) = delete;
+  VertexArray& operator=(const VertexArray&) = delete;
+
+  void draw() const;
+
+ private:
+  Buffer vertices_;
+  Buffer indices_;
+  GLsizei index_count_ = 0;
+  GLuint id_ = 0;
+};
+
+}  // namespace amalgam::gl

@@ -1,0 +1,36 @@
+// The diffuse pass: both solutions, I_m and I_r, of every sample whose first surface is diffuse.
+//
+// For each light, with E its irradiance, c = N.L > 0 (and Ng.L > 0), and Phong's terms
+// (material.h):
+//   f = albedo / pi + specular (exponent + 2) / (2 pi) max(R.V, 0)^exponent        (eq. 4.6)
+//   m = emission + sum E c f (mixed attenuation),  r = emission + sum E c f (real attenuation)
+// Normals are turned to the side that the camera sees. Radiance is scene-linear.
+#pragma once
+
+#include "graph/frame_graph.h"
+#include "passes/frame_resources.h"
+#include "passes/mask.h"
+#include "passes/raster_context.h"
+#include "passes/shadow_maps.h"
+#include "passes/upload_view.h"
+
+namespace amalgam::passes {
+
+struct DiffuseInputs {
+  const RasterContext& raster;
+  const RenderView& view;
+  graph::Handle<DeviceView> device_view;
+  MaskOutputs mask;
+  ShadowMapOutputs shadows;  // maps may be absent: then nothing of that class casts shadows
+};
+
+// RGBA32F, a texel a sample, 0 where there is no diffuse surface. Absent: "no diffuse object in
+// view".
+struct DiffuseOutputs {
+  graph::Handle<DeviceImage> mixed;  // I_m = m; alpha: M_v, 1 on virtual surfaces
+  graph::Handle<DeviceImage> real;  // I_r = r on real surfaces, 0 on virtual ones; alpha: 1 on real
+};
+
+DiffuseOutputs add_diffuse_pass(graph::FrameGraph& graph, const DiffuseInputs& in);
+
+}  // namespace amalgam::passes

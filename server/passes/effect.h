@@ -1,0 +1,28 @@
+// Asks the GPU whether anything virtual shows in the diffuse images at all: if not, the frame may
+// go back as it came.
+#pragma once
+
+#include "graph/frame_graph.h"
+#include "passes/diffuse.h"
+#include "passes/frame_resources.h"
+#include "passes/raster_context.h"
+
+namespace amalgam::passes {
+
+// Exists only if some diffuse sample is virtual, or differs between I_m and I_r.
+struct DiffuseEffect {};
+
+struct EffectInputs {
+  const RasterContext& raster;
+  DiffuseOutputs diffuse;
+};
+
+struct EffectOutputs {
+  // Or absent: "nothing virtual has an effect on this frame", or for the reason that there are no
+  // diffuse images.
+  graph::Handle<DiffuseEffect> effect;
+};
+
+EffectOutputs add_effect_pass(graph::FrameGraph& graph, const EffectInputs& in);
+
+}  // namespace amalgam::passes

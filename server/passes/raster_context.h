@@ -1,0 +1,39 @@
+// What every raster pass works with: the context, its programs, the uploaded scene, and the
+// textures that live on from frame to frame.
+#pragma once
+
+#include <optional>
+
+#include "gl/egl_context.h"
+#include "gl/gpu_scene.h"
+#include "gl/shader_library.h"
+#include "gl/texture.h"
+
+namespace amalgam::passes {
+
+// Textures that passes draw into. Each exists from the first time that its pass runs and is made
+// anew when its size changes: a scene without specular objects never pays for the real-only depth.
+// All are used by one frame at a time.
+struct RasterTargets {
+  // One texel a sample.
+  std::optional<gl::Texture> mask_flags;   // R8UI, bits of SampleMask
+  std::optional<gl::Texture> depth;        // 32F, reversed: near / z, 0 is infinitely far
+  std::optional<gl::Texture> mixed, real;  // RGBA32F, I_m and I_r (see diffuse.h)
+  // One texel an ideal pixel.
+  std::optional<gl::Texture> over, difference;  // RGBA32F, A with a, and D
+  std::optional<gl::Texture> real_depth;        // 32F, reversed
+};
+
+// Makes the texture, or makes it anew if its size is another one, and returns it.
+const gl::Texture& ensure_target(std::optional<gl::Texture>& target, gl::TextureFormat format,
+                                 glm::ivec2 size);
+
+// References must outlive the frame graph that passes are added to. All on the context's thread.
+struct RasterContext {
+  const gl::EglContext& context;
+  const gl::ShaderLibrary& shaders;
+  const gl::GpuScene& scene;
+  RasterTargets& targets;
+};
+
+}  // namespace amalgam::passes

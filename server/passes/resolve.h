@@ -1,0 +1,34 @@
+// From the diffuse samples to the rasteriser's share of the composite's layers (eq. 4.5 per sample,
+// then averaged over the n x n samples of a pixel):
+//
+//   over       = mean(M_v TM(I_m)),  coverage = mean(M_v)
+//   difference = mean((1 - M_v) (TM(I_m) - TM(I_r)))
+//
+// with TM of scene/tone_map.h and one exposure for both images (numerics A4). Samples that are
+// specular or see no surface add zero.
+#pragma once
+
+#include <cstdint>
+
+#include "graph/frame_graph.h"
+#include "passes/diffuse.h"
+#include "passes/frame_resources.h"
+#include "passes/raster_context.h"
+
+namespace amalgam::passes {
+
+struct ResolveInputs {
+  const RasterContext& raster;
+  const RenderView& view;
+  DiffuseOutputs diffuse;
+  graph::Handle<float> exposure;
+};
+
+struct ResolveOutputs {
+  graph::Handle<Layers> layers;
+  graph::Handle<std::uint64_t> nonfinite;  // channel values that had to be replaced by 0
+};
+
+ResolveOutputs add_resolve_pass(graph::FrameGraph& graph, const ResolveInputs& in);
+
+}  // namespace amalgam::passes

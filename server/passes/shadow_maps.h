@@ -1,0 +1,69 @@
+// Shadow maps of all lights, apart for real and for virtual casters, so that one shading loop can
+// attenuate light for the mixed and for the real image (eq. 4.6).
+//
+//   real attenuation  = real_opaque x real_glass
+//   mixed attenuation = real attenuation x virtual_opaque x virtual_glass
+//
+// As a product: where nothing virtual casts a shadow the two are equal bit for bit. Mirrors are
+// opaque casters. What glass lets through is defined in shaders/shadow.glsl.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+
+#include "graph/frame_graph.h"
+#include "passes/frame_resources.h"
+#include "passes/raster_context.h"
+#include "passes/shadow_layout.h"
+#include "passes/upload_view.h"
+
+namespace amalgam::passes {
+
+enum class CasterClass : std::uint8_t { RealOpaque, VirtualOpaque, RealGlass, VirtualGlass };
+constexpr std::size_t kCasterClasses = 4;
+
+// A 2D array texture, a layer for each entry of the layout. Opaque casters: depth 32F, reversed.
+// Glass: RGBA32F, optical depth in RGB and the nearest glass's reversed depth in A.
+struct ShadowMap {
+  DeviceImage image = nullptr;
+};
+
+// Where each light's layers are; on the GPU too (shader_interface.h: GpuLight, GpuShadowLayer).
+struct DeviceLights {
+  std::shared_ptr<const ShadowLayout> layout;
+};
+
+struct ShadowOptions {
+  int size = 0;  // texels a side; 0: by the number of layers (2048 to 8, 1024 to 32, then 512)
+};
+
+// What was drawn last, and from what. Owned by the caller; may serve several views, since shadows
+// do not depend on the camera, but is worth most if it serves one.
+struct ShadowCache {
+  struct Entry {
+    std::optional<gl::Texture> image;
+    std::shared_ptr<const ShadowLayout> drawn_for;
+  };
+  std::array<Entry, kCasterClasses> entries;
+  std::shared_ptr<const ShadowLayout> layout;  // of the last frame
+};
+
+struct ShadowMapInputs {
+  const RasterContext& raster;
+  const RenderView& view;
+  graph::Handle<DeviceView> device_view;
+  ShadowCache& cache;
+  ShadowOptions options{};
+};
+
+// A class without casters in this view is absent. A class whose map in the cache still holds is
+// imported, and the pass noted as left out ("nothing moved since the last frame").
+struct ShadowMapOutputs {
+  std::array<graph::Handle<ShadowMap>, kCasterClasses> maps;
+  graph::Handle<DeviceLights> lights;
+};
+
+ShadowMapOutputs add_shadow_maps_pass(graph::FrameGraph& graph, const ShadowMapInputs& in);
+
+}  // namespace amalgam::passes
