@@ -29,21 +29,26 @@ DistortedPoint distort_with_jacobian(const std::array<double, 12>& k, const glm:
   DistortedPoint out;
   out.value.x = x * radial + 2 * k[2] * x * y + k[3] * (r2 + 2 * x * x) + r2 * (k[8] + k[9] * r2);
   out.value.y = y * radial + k[2] * (r2 + 2 * y * y) + 2 * k[3] * x * y + r2 * (k[10] + k[11] * r2);
-  out.jacobian[0].x = radial + 2 * x * x * radial_d + 2 * k[2] * y + 6 * k[3] * x + 2 * x * prism_dx;
+  out.jacobian[0].x =
+      radial + 2 * x * x * radial_d + 2 * k[2] * y + 6 * k[3] * x + 2 * x * prism_dx;
   out.jacobian[0].y = 2 * x * y * radial_d + 2 * k[2] * x + 2 * k[3] * y + 2 * x * prism_dy;
   out.jacobian[1].x = 2 * x * y * radial_d + 2 * k[2] * x + 2 * k[3] * y + 2 * y * prism_dx;
-  out.jacobian[1].y = radial + 2 * y * y * radial_d + 6 * k[2] * y + 2 * k[3] * x + 2 * y * prism_dy;
+  out.jacobian[1].y =
+      radial + 2 * y * y * radial_d + 6 * k[2] * y + 2 * k[3] * x + 2 * y * prism_dy;
   return out;
 }
 
-bool is_finite(const glm::dvec2& v) { return std::isfinite(v.x) && std::isfinite(v.y); }
+bool is_finite(const glm::dvec2& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y);
+}
 
 // The map keeps orientation everywhere between the axis and p: p is on the near side of any fold.
 bool is_before_fold(const CameraModel& camera, const glm::dvec2& p) {
   constexpr int kSteps = 8;
   for (int step = 1; step <= kSteps; ++step) {
     const double t = static_cast<double>(step) / kSteps;
-    if (!(glm::determinant(distort_with_jacobian(camera.distortion, p * t).jacobian) > 0)) return false;
+    if (!(glm::determinant(distort_with_jacobian(camera.distortion, p * t).jacobian) > 0))
+      return false;
   }
   return true;
 }
@@ -75,13 +80,16 @@ bool CameraModel::has_distortion() const {
 
 std::string describe_defect(const CameraModel& camera) {
   constexpr int kMaxSide = 8192;
-  if (camera.width < 1 || camera.height < 1 || camera.width > kMaxSide || camera.height > kMaxSide) {
+  if (camera.width < 1 || camera.height < 1 || camera.width > kMaxSide ||
+      camera.height > kMaxSide) {
     return "image size " + std::to_string(camera.width) + "x" + std::to_string(camera.height) +
            " is not within 1x1 and 8192x8192";
   }
   const auto focal_ok = [](double f) { return f >= 1.0 && f <= 1e6; };
-  if (!focal_ok(camera.fx) || !focal_ok(camera.fy)) return "focal length is not within 1 and 1e6 pixels";
-  if (!(std::abs(camera.cx) <= 10.0 * camera.width) || !(std::abs(camera.cy) <= 10.0 * camera.height)) {
+  if (!focal_ok(camera.fx) || !focal_ok(camera.fy))
+    return "focal length is not within 1 and 1e6 pixels";
+  if (!(std::abs(camera.cx) <= 10.0 * camera.width) ||
+      !(std::abs(camera.cy) <= 10.0 * camera.height)) {
     return "principal point is not within ten image sides";
   }
   if (!std::all_of(camera.distortion.begin(), camera.distortion.end(),

@@ -1,7 +1,8 @@
 // One owner for a rectangle of pixels, whatever a pixel is.
 //
 // Row 0 is the top of the picture and column 0 its left, as in a camera image; a pixel's centre has
-// integer coordinates (OpenCV's convention), so a picture covers [-0.5, width - 0.5] x [-0.5, height - 0.5].
+// integer coordinates (OpenCV's convention), so a picture covers [-0.5, width - 0.5] x [-0.5,
+// height - 0.5].
 #pragma once
 
 #include <cstddef>

@@ -29,10 +29,18 @@ void set_log_level(std::string_view level) {
   logger().set_level(parsed);
 }
 
-void log_debug(const std::string& message) { logger().debug(message); }
-void log_info(const std::string& message) { logger().info(message); }
-void log_warn(const std::string& message) { logger().warn(message); }
-void log_error(const std::string& message) { logger().error(message); }
+void log_debug(const std::string& message) {
+  logger().debug(message);
+}
+void log_info(const std::string& message) {
+  logger().info(message);
+}
+void log_warn(const std::string& message) {
+  logger().warn(message);
+}
+void log_error(const std::string& message) {
+  logger().error(message);
+}
 
 void check_failed(const char* condition, const char* file, int line, const std::string& values) {
   logger().critical("CHECK failed: {} at {}:{}: {}", condition, file, line, values);

@@ -21,9 +21,9 @@ void log_error(const std::string& message);
 }  // namespace amalgam::core
 
 // AMALGAM_CHECK(condition, values): values is a std::string made only when the check fails.
-#define AMALGAM_CHECK(condition, values)                                              \
-  do {                                                                                \
-    if (!(condition)) {                                                               \
-      ::amalgam::core::check_failed(#condition, __FILE__, __LINE__, (values));        \
-    }                                                                                 \
+#define AMALGAM_CHECK(condition, values)                                       \
+  do {                                                                         \
+    if (!(condition)) {                                                        \
+      ::amalgam::core::check_failed(#condition, __FILE__, __LINE__, (values)); \
+    }                                                                          \
   } while (false)

@@ -1,5 +1,5 @@
-// A place for one message between two threads, where the newest wins: putting a second one throws the
-// first away and says so, because a mixed-reality viewer wants the present and not a queue.
+// A place for one message between two threads, where the newest wins: putting a second one throws
+// the first away and says so, because a mixed-reality viewer wants the present and not a queue.
 #pragma once
 
 #include <mutex>

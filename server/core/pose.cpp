@@ -10,7 +10,8 @@ bool is_usable(const MarkerPose& pose) {
   constexpr double kMaxLengthError = 1e-3;
   constexpr double kMaxDistance = 1000.0;
   // Written so that a NaN anywhere makes a comparison false.
-  return std::abs(length - 1.0) <= kMaxLengthError && std::abs(pose.translation.x) <= kMaxDistance &&
+  return std::abs(length - 1.0) <= kMaxLengthError &&
+         std::abs(pose.translation.x) <= kMaxDistance &&
          std::abs(pose.translation.y) <= kMaxDistance &&
          std::abs(pose.translation.z) <= kMaxDistance;
 }

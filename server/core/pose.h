@@ -7,8 +7,9 @@
 
 namespace amalgam::core {
 
-// camera_from_marker as OpenCV gives it. Camera frame: x right, y down, z forward. Marker frame: origin
-// at its centre, x along its right, y along its top, z out of the paper. Translation in metres.
+// camera_from_marker as OpenCV gives it. Camera frame: x right, y down, z forward. Marker frame:
+// origin at its centre, x along its right, y along its top, z out of the paper. Translation in
+// metres.
 struct MarkerPose {
   int marker = 0;
   glm::dquat rotation{1.0, 0.0, 0.0, 0.0};  // unit; glm's constructor order is w, x, y, z
@@ -22,11 +23,12 @@ bool is_usable(const MarkerPose& pose);
 // The rigid transform camera_from_marker of a usable pose (quaternion normalised here).
 glm::dmat4 to_matrix(const MarkerPose& pose);
 
-// The inverse of a rotation and translation, by transposing (numerics B23). Not for scaled matrices.
+// The inverse of a rotation and translation, by transposing (numerics B23). Not for scaled
+// matrices.
 glm::dmat4 rigid_inverse(const glm::dmat4& rigid);
 
-// The frame that glTF content stands in on a marker: origin at its centre, +Y out of the paper, +X along
-// its right. opencv_marker_from_gltf maps (x, y, z) to (x, -z, y).
+// The frame that glTF content stands in on a marker: origin at its centre, +Y out of the paper, +X
+// along its right. opencv_marker_from_gltf maps (x, y, z) to (x, -z, y).
 glm::dmat4 opencv_marker_from_gltf();
 
 }  // namespace amalgam::core

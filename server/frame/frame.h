@@ -14,6 +14,7 @@
 #include "core/camera_model.h"
 #include "core/image.h"
 #include "core/pose.h"
+#include "core/ray_counts.h"
 #include "core/timings.h"
 
 namespace amalgam::frame {
@@ -34,10 +35,6 @@ struct PassRecord {
   bool operator==(const PassRecord&) const = default;
 };
 
-struct RayCounts {
-  std::uint64_t primary = 0, reflection = 0, refraction = 0, shadow = 0, lookup = 0;
-};
-
 struct PixelCounts {
   std::uint64_t virtual_pixels = 0, specular = 0,
                 total = 0;  // of the camera image, or of the ideal image if the lens distorts
@@ -46,7 +43,7 @@ struct PixelCounts {
 struct FrameStatistics {
   core::StageTimes stages;
   std::vector<PassRecord> passes;
-  RayCounts rays;
+  core::RayCounts rays;
   PixelCounts pixels;
   std::uint64_t nonfinite = 0;  // values that a stage had to replace by 0
   float exposure = 1.0f;

@@ -6,6 +6,7 @@
 
 #include "core/camera_model.h"
 #include "core/image.h"
+#include "core/layers.h"
 #include "scene/anchored_scene.h"
 #include "scene/light.h"
 
@@ -42,11 +43,7 @@ struct RealDepth {
   core::Image32f z;
 };
 
-// The three layers of the composite (eq. 4.5 per sample, averaged over a pixel), display-linear,
-// ideal camera geometry.
-struct Layers {
-  core::ImageRgba32f over;  // A = mean(M_v (TM(I_m) + I_e)), premultiplied; alpha: a = mean(M_v)
-  core::ImageRgb32f difference;  // D = mean((1 - M_v) (TM(I_m) - TM(I_r))), signed
-};
+// Layers in the ideal camera's geometry, one value a pixel.
+using Layers = core::Layers;
 
 }  // namespace amalgam::passes

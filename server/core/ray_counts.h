@@ -1,0 +1,26 @@
+// How many rays of each kind a frame took: the machine-independent measure of what tracing costs.
+#pragma once
+
+#include <cstdint>
+
+namespace amalgam::core {
+
+struct RayCounts {
+  std::uint64_t primary = 0;  // from the camera
+  std::uint64_t reflection = 0;
+  std::uint64_t refraction =
+      0;                     // passing straight through thin glass and masked-out texels included
+  std::uint64_t shadow = 0;  // one a light and diffuse hit, however many surfaces it passes
+  std::uint64_t lookup = 0;  // from a real surface to the camera, where depth could not decide
+
+  RayCounts& operator+=(const RayCounts& other) {
+    primary += other.primary;
+    reflection += other.reflection;
+    refraction += other.refraction;
+    shadow += other.shadow;
+    lookup += other.lookup;
+    return *this;
+  }
+};
+
+}  // namespace amalgam::core

@@ -1,0 +1,53 @@
+// Reading the camera image at a traced hit on a real surface (section 4.4, eq. 4.10, 4.11).
+//
+// The thesis projects and checks the image's border only. Here a point also has to be in front of
+// the camera (numerics A1, B15) and be what the camera sees there: on the side of the surface that
+// faces it and not hidden by other real geometry.
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+
+#include "core/camera_model.h"
+#include "core/image.h"
+#include "trace/embree_scene.h"
+#include "trace/surface_point.h"
+
+namespace amalgam::trace {
+
+// What the look-up reads. The depth may be missing: then every point is decided by a ray.
+struct CameraView {
+  core::CameraModel camera;  // with distortion
+  glm::dmat4 camera_from_world{1.0};
+  const core::ImageRgb8* image = nullptr;  // size camera.width x height
+  float exposure = 1.0f;
+  core::CameraModel ideal;                     // the camera of real_depth
+  const core::Image32f* real_depth = nullptr;  // camera-frame z of the nearest real surface, metres
+};
+
+struct CameraSample {
+  glm::vec3 radiance{0.0f};  // L, scene-linear: TM^-1 of the image's colour
+  float trust = 0.0f;  // (0, 1]: falls to 0 over the last few pixels before the image's border
+};
+
+class CameraLookup {
+ public:
+  explicit CameraLookup(const CameraView& view);
+
+  // Nothing if the camera does not see the point. lookup_rays counts the rays that were needed to
+  // decide.
+  std::optional<CameraSample> look_up(const EmbreeScene& scene, const SurfacePoint& point,
+                                      std::uint64_t& lookup_rays) const;
+
+ private:
+  enum class DepthVerdict { Visible, Hidden, Unsure };
+  DepthVerdict judge_by_depth(const glm::dvec3& point_in_camera) const;
+  glm::vec3 bilinear(const glm::dvec2& pixel) const;
+
+  CameraView view_;
+  glm::vec3 camera_in_world_;
+};
+
+}  // namespace amalgam::trace

@@ -1,0 +1,172 @@
+#include "trace/embree_scene.h"
+
+#include <embree3/rtcore.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/matrix.hpp>
+#include <stdexcept>
+#include <string>
+
+#include "core/log.h"
+
+namespace amalgam::trace {
+namespace {
+
+struct DeviceDeleter {
+  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+};
+struct SceneDeleter {
+  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+};
+struct GeometryDeleter {
+  void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
+};
+using Device = std::unique_ptr<RTCDeviceTy, DeviceDeleter>;
+using SceneHandle = std::unique_ptr<RTCSceneTy, SceneDeleter>;
+using Geometry = std::unique_ptr<RTCGeometryTy, GeometryDeleter>;
+
+void report_error(void*, RTCError code, const char* text) {
+  core::log_error("embree error " + std::to_string(code) + ": " + (text ? text : ""));
+}
+
+// Copies a mesh's data into buffers that Embree owns (it reads 16 bytes past the last vertex
+// otherwise).
+SceneHandle build_mesh(RTCDevice device, const scene::Mesh& mesh) {
+  Geometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
+  auto* vertices = static_cast<glm::vec3*>(
+      rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                              sizeof(glm::vec3), mesh.positions.size()));
+  auto* triangles = static_cast<glm::uvec3*>(
+      rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                              sizeof(glm::uvec3), mesh.triangles.size()));
+  if (vertices == nullptr || triangles == nullptr) {
+    throw std::runtime_error("no memory for the BVH of mesh '" + mesh.name + "'");
+  }
+  std::copy(mesh.positions.begin(), mesh.positions.end(), vertices);
+  std::copy(mesh.triangles.begin(), mesh.triangles.end(), triangles);
+  rtcCommitGeometry(geometry.get());
+
+  SceneHandle built(rtcNewScene(device));
+  rtcSetSceneFlags(built.get(), RTC_SCENE_FLAG_ROBUST);  // no cracks at shared edges: numerics B11
+  rtcSetSceneBuildQuality(built.get(), RTC_BUILD_QUALITY_HIGH);
+  rtcAttachGeometry(built.get(), geometry.get());
+  rtcCommitScene(built.get());
+  return built;
+}
+
+glm::mat3 normal_matrix(const glm::mat4& world_from_mesh) {
+  const glm::mat3 m(world_from_mesh);
+  const glm::mat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
+  return glm::determinant(m) < 0.0f ? -cofactors : cofactors;
+}
+
+bool is_finite(const glm::vec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+bool is_valid(const Ray& ray) {
+  return is_finite(ray.origin) && is_finite(ray.direction) && ray.t_max > 0.0f;
+}
+
+void fill(RTCRay& out, const Ray& ray, Visible visible) {
+  out.org_x = ray.origin.x;
+  out.org_y = ray.origin.y;
+  out.org_z = ray.origin.z;
+  out.dir_x = ray.direction.x;
+  out.dir_y = ray.direction.y;
+  out.dir_z = ray.direction.z;
+  out.tnear = 0.0f;
+  out.tfar = ray.t_max;
+  out.time = 0.0f;
+  out.mask = static_cast<unsigned>(visible);
+  out.id = 0;
+  out.flags = 0;
+}
+
+}  // namespace
+
+struct EmbreeScene::Impl {
+  Device device;
+  std::vector<SceneHandle> meshes;
+  std::vector<Geometry> instances;  // by Scene::instances; Embree's geometry id is the same index
+  SceneHandle top;
+};
+
+EmbreeScene::EmbreeScene(const scene::Scene& scene)
+    : scene_(scene),
+      placed_(scene.instances.size()),
+      last_placed_(scene.instances.size()),
+      impl_(std::make_unique<Impl>()) {
+  // One thread: builds happen once at load, and the few instances of a frame commit faster than
+  // threads start.
+  impl_->device.reset(rtcNewDevice("threads=1,set_affinity=0"));
+  if (!impl_->device) throw std::runtime_error("Embree cannot create a device on this processor");
+  rtcSetDeviceErrorFunction(impl_->device.get(), report_error, nullptr);
+  for (const scene::Mesh& mesh : scene.meshes) {
+    impl_->meshes.push_back(build_mesh(impl_->device.get(), mesh));
+  }
+  impl_->top.reset(rtcNewScene(impl_->device.get()));
+  rtcSetSceneFlags(impl_->top.get(), RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_DYNAMIC);
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+    const scene::Instance& instance = scene.instances[i];
+    Geometry geometry(rtcNewGeometry(impl_->device.get(), RTC_GEOMETRY_TYPE_INSTANCE));
+    rtcSetGeometryInstancedScene(geometry.get(), impl_->meshes[instance.mesh].get());
+    rtcSetGeometryMask(geometry.get(), instance.role == scene::Role::Real ? 1u : 2u);
+    rtcAttachGeometryByID(impl_->top.get(), geometry.get(), i);
+    rtcDisableGeometry(geometry.get());
+    rtcCommitGeometry(geometry.get());
+    impl_->instances.push_back(std::move(geometry));
+  }
+  rtcCommitScene(impl_->top.get());
+}
+
+EmbreeScene::~EmbreeScene() = default;
+
+bool EmbreeScene::place(const scene::AnchoredScene& anchored) {
+  std::vector<std::optional<glm::mat4>> next(placed_.size());
+  for (const scene::AnchoredInstance& a : anchored.instances) next[a.instance] = a.world_from_mesh;
+  if (next == last_placed_) return false;
+  for (std::size_t i = 0; i < next.size(); ++i) {
+    if (next[i] == last_placed_[i]) continue;
+    RTCGeometry geometry = impl_->instances[i].get();
+    if (next[i]) {
+      placed_[i] = {*next[i], normal_matrix(*next[i])};
+      rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR,
+                              glm::value_ptr(*next[i]));
+      rtcEnableGeometry(geometry);
+    } else {
+      rtcDisableGeometry(geometry);
+    }
+    rtcCommitGeometry(geometry);
+  }
+  rtcCommitScene(impl_->top.get());
+  last_placed_ = std::move(next);
+  return true;
+}
+
+std::optional<Hit> EmbreeScene::intersect(const Ray& ray, Visible visible) const {
+  if (!is_valid(ray)) return std::nullopt;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  RTCRayHit query{};
+  fill(query.ray, ray, visible);
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(impl_->top.get(), &context, &query);
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+  return Hit{query.hit.instID[0], query.hit.primID, {query.hit.u, query.hit.v}, query.ray.tfar};
+}
+
+bool EmbreeScene::is_occluded(const Ray& ray, Visible visible) const {
+  if (!is_valid(ray)) return false;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  RTCRay query{};
+  fill(query, ray, visible);
+  rtcOccluded1(impl_->top.get(), &context, &query);
+  return query.tfar < 0.0f;
+}
+
+}  // namespace amalgam::trace

@@ -1,0 +1,50 @@
+// The dielectrics that a ray is inside of, innermost last, so that an air bubble in glass or a
+// liquid in a cup refracts by the ratio of the two media that really meet there.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+namespace amalgam::trace {
+
+class Media {
+ public:
+  // Deeper nesting than this forgets the outermost medium.
+  static constexpr std::size_t kMaxNested = 4;
+
+  std::optional<std::uint32_t> innermost() const {
+    return count_ == 0 ? std::nullopt : std::optional(materials_[count_ - 1]);
+  }
+
+  Media entered(std::uint32_t material) const {
+    Media next = *this;
+    if (next.count_ == kMaxNested) next.remove(0);
+    next.materials_[next.count_++] = material;
+    return next;
+  }
+
+  // Leaves the innermost medium of that material. Leaving what was never entered (an open mesh, a
+  // camera inside glass) changes nothing.
+  Media left(std::uint32_t material) const {
+    Media next = *this;
+    for (std::size_t i = next.count_; i-- > 0;) {
+      if (next.materials_[i] == material) {
+        next.remove(i);
+        break;
+      }
+    }
+    return next;
+  }
+
+ private:
+  void remove(std::size_t index) {
+    for (std::size_t i = index; i + 1 < count_; ++i) materials_[i] = materials_[i + 1];
+    --count_;
+  }
+
+  std::array<std::uint32_t, kMaxNested> materials_{};
+  std::uint8_t count_ = 0;
+};
+
+}  // namespace amalgam::trace

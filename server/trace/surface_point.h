@@ -1,0 +1,35 @@
+// Where a ray met a surface, with all that shading asks about the place.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "trace/embree_scene.h"
+
+namespace amalgam::trace {
+
+struct SurfacePoint {
+  glm::vec3 position{
+      0.0f};  // world, from barycentric coordinates and not from o + t d (numerics B1)
+  glm::vec3 geometric_normal{0.0f};  // unit, on the side that the ray came from
+  glm::vec3 shading_normal{0.0f};    // unit, interpolated; same side; bent so that neither the view
+                                     // nor its reflection is below the surface
+  glm::vec4 base_color{1.0f};        // material's times texture's, linear; alpha
+  std::uint32_t material = 0;
+  scene::Role role = scene::Role::Virtual;
+  bool front = true;  // the ray came from the outer side (counter-clockwise corners)
+};
+
+// direction: the ray's, unit.
+SurfacePoint surface_point(const EmbreeScene& scene, const Hit& hit, const glm::vec3& direction);
+
+// Bends a shading normal until the reflection of the view about it leaves the surface at a small
+// angle at least (numerics B10: Keller's method with the threshold of Cycles'
+// ensure_valid_specular_reflection). view: unit, towards the ray's origin, above the geometric
+// surface.
+glm::vec3 valid_shading_normal(const glm::vec3& geometric_normal, const glm::vec3& shading_normal,
+                               const glm::vec3& view);
+
+}  // namespace amalgam::trace

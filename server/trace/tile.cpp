@@ -1,0 +1,281 @@
+#include "trace/tile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "core/pose.h"
+#include "trace/ray_offset.h"
+#include "trace/shade.h"
+#include "trace/shadow.h"
+
+namespace amalgam::trace {
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr std::size_t kBatchSize = 1024;
+
+float importance(const glm::vec3& weight) {
+  return std::max({weight.x, weight.y, weight.z});
+}
+
+}  // namespace
+
+Tile::Tile(const TraceRequest& request, const CameraLookup* lookup, int x, int y)
+    : request_(request), lookup_(lookup), x_(x), y_(y) {}
+
+void Tile::trace() {
+  generate_primary_rays();
+  while (!waiting_.empty()) {
+    take_batch();
+    intersect_rays();
+    shade_hits();
+    add_escaped();
+    spawn_shadow_rays();
+    trace_shadow_rays();
+    add_diffuse();
+  }
+}
+
+void Tile::generate_primary_rays() {
+  const int n = request_.samples_per_side;
+  const glm::dmat4 world_from_camera = core::rigid_inverse(request_.camera_from_world);
+  const glm::dmat3 rotation(world_from_camera);
+  const glm::vec3 origin(world_from_camera[3]);
+  const int right = std::min(x_ + kTileSide, request_.camera.width);
+  const int bottom = std::min(y_ + kTileSide, request_.camera.height);
+  for (int y = y_; y < bottom; ++y) {
+    for (int x = x_; x < right; ++x) {
+      bool first = true;
+      for (int s = 0; s < n * n; ++s) {
+        const int i = s % n, j = s / n;
+        if (request_.mask != nullptr &&
+            (request_.mask->at(x * n + i, y * n + j) & request_.mask_bit) == 0) {
+          continue;
+        }
+        const glm::dvec2 pixel(x - 0.5 + (i + 0.5) / n, y - 0.5 + (j + 0.5) / n);
+        // From the intrinsics in double (numerics B14); a pinhole sees something through every
+        // pixel.
+        const glm::dvec3 direction(
+            glm::normalize(rotation * *core::pixel_direction(request_.camera, pixel)));
+        RayItem item;
+        item.ray = {origin, glm::vec3(direction), kInfinity};
+        item.sample = static_cast<std::uint32_t>(samples_.size());
+        waiting_.push_back(item);
+        samples_.emplace_back();
+        places_.push_back({x, y, first});
+        sees_real_diffuse_.push_back(false);
+        first = false;
+      }
+    }
+  }
+  std::reverse(waiting_.begin(), waiting_.end());
+}
+
+void Tile::take_batch() {
+  const std::size_t count = std::min(waiting_.size(), kBatchSize);
+  batch_.assign(waiting_.rbegin(), waiting_.rbegin() + static_cast<std::ptrdiff_t>(count));
+  waiting_.resize(waiting_.size() - count);
+  escaped_.clear();
+  diffuse_.clear();
+  shadows_.clear();
+}
+
+void Tile::intersect_rays() {
+  hits_.clear();
+  for (const RayItem& item : batch_) {
+    switch (item.kind) {
+      case RayKind::Primary:
+        ++rays_.primary;
+        break;
+      case RayKind::Reflection:
+        ++rays_.reflection;
+        break;
+      case RayKind::Refraction:
+        ++rays_.refraction;
+        break;
+    }
+    hits_.push_back(request_.scene.intersect(item.ray, Visible::Everything));
+  }
+}
+
+// Section 3 of the method: what each hit does.
+void Tile::shade_hits() {
+  for (std::size_t i = 0; i < batch_.size(); ++i) {
+    const RayItem& item = batch_[i];
+    if (!hits_[i]) {
+      // Seen directly, nothing is there to draw: the camera image stays.
+      if (item.kind != RayKind::Primary)
+        escaped_.push_back({item.ray.direction, item.weight, item.sample});
+      continue;
+    }
+    const SurfacePoint point = surface_point(request_.scene, *hits_[i], item.ray.direction);
+    const scene::Material& material = request_.scene.scene().materials[point.material];
+    glm::vec3 weight = item.weight;
+    if (const auto medium = item.media.innermost()) {  // Beer-Lambert on the way here
+      weight *= glm::exp(-request_.scene.scene().materials[*medium].absorption * hits_[i]->t);
+    }
+    if (material.alpha_cutoff && point.base_color.w < *material.alpha_cutoff) {
+      pass_straight(item, point, weight);
+      continue;
+    }
+    if (point.role == scene::Role::Virtual) samples_[item.sample].met_virtual = true;
+    if (scene::is_specular(material.kind)) {
+      scatter(item, point, weight);
+    } else {
+      const bool primary = item.kind == RayKind::Primary;
+      if (primary) sees_real_diffuse_[item.sample] = point.role == scene::Role::Real;
+      diffuse_.push_back({point, -item.ray.direction, weight, item.sample, primary});
+    }
+  }
+}
+
+// Mirror and glass: the reflected and the refracted child (eq. 4.7, 4.8).
+void Tile::scatter(const RayItem& item, const SurfacePoint& point, const glm::vec3& weight) {
+  const scene::Material& material = request_.scene.scene().materials[point.material];
+  const glm::dvec3 direction(item.ray.direction), normal(point.shading_normal);
+  const double cos_incident = std::clamp(-glm::dot(direction, normal), 0.0, 1.0);
+  const glm::vec3 reflected(glm::normalize(reflect(direction, normal)));
+  if (material.kind == scene::MaterialKind::Mirror) {
+    const glm::vec3 k_s =
+        reflectance_conductor(glm::vec3(point.base_color), static_cast<float>(cos_incident));
+    spawn(item, point, reflected, weight * k_s, RayKind::Reflection, item.media);
+    return;
+  }
+  const glm::vec3 tint(point.base_color);
+  if (material.thin) {
+    const double ior = material.ior;
+    const auto k_s = static_cast<float>(
+        thin_sheet_reflectance(reflectance(request_.settings.fresnel, cos_incident, 1.0, ior)));
+    spawn(item, point, reflected, weight * k_s, RayKind::Reflection, item.media);
+    spawn(item, point, item.ray.direction, weight * tint * (1.0f - k_s), RayKind::Refraction,
+          item.media);
+    return;
+  }
+  const auto& materials = request_.scene.scene().materials;
+  const auto ior_of = [&](const Media& media) {
+    const auto medium = media.innermost();
+    return medium ? double{materials[*medium].ior} : 1.0;
+  };
+  const Media beyond =
+      point.front ? item.media.entered(point.material) : item.media.left(point.material);
+  // A ray that meets the inner side without having entered (an open mesh, a camera in glass) comes
+  // out of the glass all the same.
+  const double eta_here =
+      !point.front && !item.media.innermost() ? material.ior : ior_of(item.media);
+  const double eta_beyond = ior_of(beyond);
+  const auto refracted = refract(direction, normal, eta_here, eta_beyond);
+  const auto k_s = refracted ? static_cast<float>(reflectance(request_.settings.fresnel,
+                                                              cos_incident, eta_here, eta_beyond))
+                             : 1.0f;
+  spawn(item, point, reflected, weight * k_s, RayKind::Reflection, item.media);
+  if (refracted) {
+    spawn(item, point, glm::vec3(*refracted), weight * tint * (1.0f - k_s), RayKind::Refraction,
+          beyond);
+  }
+}
+
+// Masked-out texels are not there. No surface was met, so the depth stays; each step moves on along
+// the ray, so this ends.
+void Tile::pass_straight(const RayItem& item, const SurfacePoint& point, const glm::vec3& weight) {
+  RayItem next = item;
+  next.ray.origin = offset_from_surface(point.position, -point.geometric_normal);
+  next.weight = weight;
+  waiting_.push_back(next);
+}
+
+// A child ray, or its end: beyond the depth limit or below the importance cut-off it takes the
+// environment.
+void Tile::spawn(const RayItem& parent, const SurfacePoint& point, const glm::vec3& direction,
+                 const glm::vec3& weight, RayKind kind, const Media& media) {
+  if (!(importance(weight) > 0.0f)) return;
+  const bool deep = parent.depth + 1 > request_.settings.max_depth;
+  if (deep || importance(weight) < request_.settings.importance_cutoff) {
+    escaped_.push_back({direction, weight, parent.sample});
+    return;
+  }
+  const float leaves_to = glm::dot(direction, point.geometric_normal) >= 0.0f ? 1.0f : -1.0f;
+  RayItem child;
+  child.ray = {offset_from_surface(point.position, leaves_to * point.geometric_normal), direction,
+               kInfinity};
+  child.weight = weight;
+  child.media = media;
+  child.sample = parent.sample;
+  child.depth = static_cast<std::uint16_t>(parent.depth + 1);
+  child.kind = kind;
+  waiting_.push_back(child);
+}
+
+void Tile::add_escaped() {
+  if (request_.environment == nullptr) return;
+  for (const EscapedItem& item : escaped_) {
+    const glm::vec3 light =
+        item.weight * scene::sample_environment(*request_.environment, item.direction);
+    SampleResult& sample = samples_[item.sample];
+    if (request_.environment->low_dynamic_range) {
+      sample.environment_reflection += light;
+    } else {
+      sample.mixed += light;
+      sample.real += light;
+    }
+  }
+}
+
+void Tile::spawn_shadow_rays() {
+  radiance_.assign(diffuse_.size(), {});
+  for (std::uint32_t d = 0; d < diffuse_.size(); ++d) {
+    const DiffuseItem& item = diffuse_[d];
+    const scene::Material& material = request_.scene.scene().materials[item.point.material];
+    const scene::PhongTerms terms = scene::phong_terms(material, glm::vec3(item.point.base_color));
+    radiance_[d] = {material.emission, material.emission};
+    const glm::vec3 origin = offset_from_surface(item.point.position, item.point.geometric_normal);
+    for (const scene::Light& light : request_.lights) {
+      const scene::LightArrival arrival = scene::light_arrival(light, item.point.position);
+      const glm::vec3 contribution = phong_contribution(terms, item.point, item.view, arrival);
+      if (contribution == glm::vec3(0.0f)) continue;
+      shadows_.push_back({{origin, arrival.to_light, arrival.distance}, contribution, d});
+    }
+  }
+}
+
+void Tile::trace_shadow_rays() {
+  rays_.shadow += shadows_.size();
+  for (const ShadowItem& item : shadows_) {
+    const ShadowAttenuation attenuation = trace_shadow(request_.scene, item.ray);
+    radiance_[item.diffuse].mixed += item.contribution * attenuation.mixed;
+    radiance_[item.diffuse].real += item.contribution * attenuation.real;
+  }
+}
+
+void Tile::add_diffuse() {
+  for (std::size_t d = 0; d < diffuse_.size(); ++d) {
+    const DiffuseItem& item = diffuse_[d];
+    if (item.point.role == scene::Role::Virtual) {
+      samples_[item.sample].mixed += item.weight * radiance_[d].mixed;
+    } else {
+      add_real_surface(item, radiance_[d]);
+    }
+  }
+}
+
+// Differential rendering along the ray: the camera's own colour L where it can be had, changed by
+// what virtual objects change. L + (m - r) in that order, so that m = r leaves L exactly.
+void Tile::add_real_surface(const DiffuseItem& item, const DiffuseRadiance& radiance) {
+  SampleResult& sample = samples_[item.sample];
+  glm::vec3 mixed = radiance.mixed, real = radiance.real;
+  if (!item.primary && lookup_ != nullptr) {
+    if (const auto seen = lookup_->look_up(request_.scene, item.point, rays_.lookup)) {
+      const glm::vec3 changed =
+          glm::max(seen->radiance + (radiance.mixed - radiance.real), glm::vec3(0.0f));
+      mixed = glm::mix(radiance.mixed, changed, seen->trust);
+      real = glm::mix(radiance.real, seen->radiance, seen->trust);
+    }
+  }
+  sample.mixed += item.weight * mixed;
+  sample.real += item.weight * real;
+}
+
+}  // namespace amalgam::trace

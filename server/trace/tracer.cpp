@@ -1,0 +1,85 @@
+#include "trace/tracer.h"
+
+#include <tbb/parallel_for.h>
+
+#include <cmath>
+#include <vector>
+
+#include "scene/tone_map.h"
+#include "trace/tile.h"
+
+namespace amalgam::trace {
+namespace {
+
+std::uint64_t replace_nonfinite(glm::vec3& value) {
+  if (std::isfinite(value.x) && std::isfinite(value.y) && std::isfinite(value.z)) return 0;
+  value = glm::vec3(0.0f);
+  return 1;
+}
+
+}  // namespace
+
+// Eq. 4.5 per sample, each with weight 1/n^2 (core/layers.h).
+void Tile::resolve(TraceResult& result) {
+  const int n = request_.samples_per_side;
+  const float share = 1.0f / static_cast<float>(n * n);
+  for (std::size_t s = 0; s < samples_.size(); ++s) {
+    SampleResult& sample = samples_[s];
+    const SamplePlace& place = places_[s];
+    nonfinite_ += replace_nonfinite(sample.mixed) + replace_nonfinite(sample.real) +
+                  replace_nonfinite(sample.environment_reflection);
+    const glm::vec3 mixed = scene::tone_map(sample.mixed, request_.exposure);
+    if (sample.met_virtual) {
+      result.layers.over.at(place.pixel_x, place.pixel_y) +=
+          share * glm::vec4(mixed + sample.environment_reflection, 1.0f);
+    } else {
+      result.layers.difference.at(place.pixel_x, place.pixel_y) +=
+          share * (mixed - scene::tone_map(sample.real, request_.exposure));
+    }
+    if (result.images && place.first_of_pixel) {
+      result.images->mixed.at(place.pixel_x, place.pixel_y) = sample.mixed;
+      result.images->real.at(place.pixel_x, place.pixel_y) =
+          glm::vec4(sample.real, sees_real_diffuse_[s] ? 1.0f : 0.0f);
+      result.images->environment_reflection.at(place.pixel_x, place.pixel_y) =
+          sample.environment_reflection;
+      result.images->met_virtual.at(place.pixel_x, place.pixel_y) = sample.met_virtual ? 1 : 0;
+    }
+  }
+}
+
+TraceResult trace(const TraceRequest& request) {
+  const int width = request.camera.width, height = request.camera.height;
+  TraceResult result;
+  result.layers.over = core::ImageRgba32f(width, height, glm::vec4(0.0f));
+  result.layers.difference = core::ImageRgb32f(width, height, glm::vec3(0.0f));
+  if (request.keep_images) {
+    result.images =
+        TracedImages{core::ImageRgb32f(width, height), core::ImageRgba32f(width, height),
+                     core::ImageRgb32f(width, height), core::Image<std::uint8_t>(width, height)};
+  }
+  std::optional<CameraLookup> lookup;
+  if (request.lookup != nullptr) lookup.emplace(*request.lookup);
+
+  const int across = (width + kTileSide - 1) / kTileSide,
+            down = (height + kTileSide - 1) / kTileSide;
+  struct TileCounts {
+    core::RayCounts rays;
+    std::uint64_t nonfinite = 0, samples = 0;
+  };
+  std::vector<TileCounts> counts(static_cast<std::size_t>(across) * static_cast<std::size_t>(down));
+  tbb::parallel_for(std::size_t{0}, counts.size(), [&](std::size_t index) {
+    const int tile_x = static_cast<int>(index) % across, tile_y = static_cast<int>(index) / across;
+    Tile tile(request, lookup ? &*lookup : nullptr, tile_x * kTileSide, tile_y * kTileSide);
+    tile.trace();
+    tile.resolve(result);
+    counts[index] = {tile.rays(), tile.nonfinite(), tile.sample_count()};
+  });
+  for (const TileCounts& tile : counts) {
+    result.rays += tile.rays;
+    result.nonfinite += tile.nonfinite;
+    result.traced_samples += tile.samples;
+  }
+  return result;
+}
+
+}  // namespace amalgam::trace

@@ -1,0 +1,74 @@
+// What flows between the verbs of the tracer: declared here, before any of them.
+//
+// All colours are scene-linear unless they say display-linear. "Sample" is an index into the tile's
+// SampleResults.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "trace/embree_scene.h"
+#include "trace/media.h"
+#include "trace/surface_point.h"
+
+namespace amalgam::trace {
+
+enum class RayKind : std::uint8_t { Primary, Reflection, Refraction };
+
+// A ray on its way, with its share of the sample (Listing 4.1's payload, for work lists).
+struct RayItem {
+  Ray ray;
+  glm::vec3 weight{
+      1.0f};    // product of the k_s and k_t so far; its largest channel is the importance
+  Media media;  // the dielectrics that the ray is inside of
+  std::uint32_t sample = 0;
+  std::uint16_t depth = 0;  // specular surfaces met so far
+  RayKind kind = RayKind::Primary;
+};
+
+// A ray that meets nothing any more, or is cut off: takes the environment in its direction.
+struct EscapedItem {
+  glm::vec3 direction{0.0f};
+  glm::vec3 weight{0.0f};
+  std::uint32_t sample = 0;
+};
+
+// A diffuse surface to be shaded: the only place that shadow rays start from.
+struct DiffuseItem {
+  SurfacePoint point;
+  glm::vec3 view{0.0f};  // unit, towards the ray's origin
+  glm::vec3 weight{0.0f};
+  std::uint32_t sample = 0;
+  bool primary = false;  // seen directly: no look-up, the camera image is under it anyway
+};
+
+struct ShadowItem {
+  Ray ray;
+  glm::vec3 contribution{0.0f};  // what the light adds if nothing is in the way
+  std::uint32_t diffuse = 0;     // index into the batch's DiffuseItems
+};
+
+// How much of a light arrives: with everything in the way, and with only what is real in the way
+// (section 4.3).
+struct ShadowAttenuation {
+  glm::vec3 mixed{1.0f};
+  glm::vec3 real{1.0f};
+};
+
+// Sums of a diffuse item over the lights.
+struct DiffuseRadiance {
+  glm::vec3 mixed{0.0f};
+  glm::vec3 real{0.0f};
+};
+
+// What a sample has gathered. I_e is display-linear.
+struct SampleResult {
+  glm::vec3 mixed{0.0f};                   // I_m
+  glm::vec3 real{0.0f};                    // I_r
+  glm::vec3 environment_reflection{0.0f};  // I_e
+  bool met_virtual = false;                // M_v, eq. 4.9
+};
+
+}  // namespace amalgam::trace
