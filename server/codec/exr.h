@@ -1,0 +1,42 @@
+// High-dynamic-range images as OpenEXR files: environment maps in, dumps and goldens out. The only
+// user of OpenEXR.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/image.h"
+
+namespace amalgam::codec {
+
+// What was wrong with a file, in one line that names it.
+class ExrError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+constexpr int kMaxExrSide = 16384;                             // pixels
+constexpr std::int64_t kMaxExrPixels = std::int64_t{1} << 26;  // 64 Mpixel
+constexpr std::uintmax_t kMaxExrBytes = std::uintmax_t{512} << 20;
+
+// A file's channels, by name, as floats: half and float pixels, scan lines or tiles (level 0 of a
+// mip-mapped file), the first part of several. The image covers the data window, its top left pixel
+// at (0, 0). Values are as in the file: NaN, infinity and negative ones included. Throws ExrError
+// for what is missing, damaged, deep, sub-sampled or larger than the limits.
+std::map<std::string, core::Image32f> read_exr_channels(const std::filesystem::path& path);
+
+// R, G and B of a file; a file with only Y gives that in all three, a missing one of R, G, B is 0.
+core::ImageRgb32f read_exr(const std::filesystem::path& path);
+
+// As 32-bit floats, ZIP-compressed. All channels must have one size. Throws ExrError.
+void write_exr(const std::filesystem::path& path,
+               const std::vector<std::pair<std::string, core::Image32f>>& channels);
+void write_exr(const std::filesystem::path& path, const core::ImageRgb32f& image);   // R G B
+void write_exr(const std::filesystem::path& path, const core::ImageRgba32f& image);  // R G B A
+void write_exr(const std::filesystem::path& path, const core::Image32f& image);      // Y
+
+}  // namespace amalgam::codec

@@ -1,0 +1,50 @@
+// Camera frames and composites as JPEG: the only user of libturbojpeg.
+//
+// Bytes come from strangers, so the header is judged by our own bounded reading of the markers
+// before the library sees anything, and a picture is either decoded without a single warning or
+// refused.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+#include "core/image.h"
+
+namespace amalgam::codec {
+
+// What was wrong with the bytes, in one line.
+class JpegError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+enum class JpegSubsampling { Grey, Yuv444, Yuv422, Yuv420 };
+
+struct JpegHeader {
+  int width = 0;   // pixels, 1 .. kMaxJpegSide
+  int height = 0;  // pixels, 1 .. kMaxJpegSide; width * height <= kMaxJpegPixels
+  JpegSubsampling subsampling = JpegSubsampling::Yuv420;
+};
+
+constexpr int kMaxJpegSide = 2048;           // pixels: what a camera frame may have at most
+constexpr int kMaxJpegPixels = 2048 * 2048;  // 4 Mpixel
+
+// Reads up to the end of the last scan's header without decoding anything and in time linear in the
+// number of bytes. Throws JpegError unless this is one sequential Huffman-coded 8-bit picture, grey
+// or of three components in one of the four subsamplings above, within the size limits, with no
+// more scans than components. Refused by name: progressive, lossless, hierarchical, arithmetic,
+// 12-bit, CMYK.
+JpegHeader read_jpeg_header(std::span<const std::byte> jpeg);
+
+// Decodes to sRGB-encoded bytes; grey becomes equal channels. Throws JpegError as
+// read_jpeg_header() does, and at the library's first warning (cut or damaged data): a broken
+// picture is never shown, and no pixel that an earlier picture left in memory can be.
+core::ImageRgb8 decode_jpeg(std::span<const std::byte> jpeg);
+
+// Quality 1 .. 100. Chroma is halved in both directions (4:2:0) below quality 95 and kept (4:4:4)
+// from there on. Throws JpegError if the image is empty or quality is out of range.
+std::vector<std::byte> encode_jpeg(const core::ImageRgb8& image, int quality);
+
+}  // namespace amalgam::codec
