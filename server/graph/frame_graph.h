@@ -120,6 +120,12 @@ class FrameGraph {
     return value<T>(handle.index_);
   }
 
+  // The value if it has been made already; makes nothing. For statistics and dumps.
+  template <typename T>
+  const T* peek(Handle<T> handle) const {
+    return handle.is_set() ? value<T>(handle.index_) : nullptr;
+  }
+
   // Why a resource is absent, after realise() gave null.
   template <typename T>
   std::string reason_absent(Handle<T> handle) const {

@@ -43,6 +43,14 @@ struct RealDepth {
   core::Image32f z;
 };
 
+// Exists only if there is at least one such sample: for passes to need.
+struct SpecularSamples {
+  std::uint64_t count = 0;
+};
+struct DiffuseSamples {
+  std::uint64_t count = 0;
+};
+
 // Layers in the ideal camera's geometry, one value a pixel.
 using Layers = core::Layers;
 

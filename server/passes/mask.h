@@ -24,14 +24,6 @@ struct SampleCounts {
   std::uint64_t specular = 0;
 };
 
-// Exists only if there is at least one such sample: for passes to need.
-struct SpecularSamples {
-  std::uint64_t count = 0;
-};
-struct DiffuseSamples {
-  std::uint64_t count = 0;
-};
-
 struct MaskInputs {
   const RasterContext& raster;
   const RenderView& view;

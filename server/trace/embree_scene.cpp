@@ -124,10 +124,20 @@ EmbreeScene::EmbreeScene(const scene::Scene& scene)
 
 EmbreeScene::~EmbreeScene() = default;
 
-bool EmbreeScene::place(const scene::AnchoredScene& anchored) {
-  std::vector<std::optional<glm::mat4>> next(placed_.size());
-  for (const scene::AnchoredInstance& a : anchored.instances) next[a.instance] = a.world_from_mesh;
-  if (next == last_placed_) return false;
+EmbreeScene::Placements EmbreeScene::placements(const scene::AnchoredScene& anchored) const {
+  Placements placements(placed_.size());
+  for (const scene::AnchoredInstance& a : anchored.instances) {
+    placements[a.instance] = a.world_from_mesh;
+  }
+  return placements;
+}
+
+bool EmbreeScene::is_placed(const scene::AnchoredScene& anchored) const {
+  return placements(anchored) == last_placed_;
+}
+
+void EmbreeScene::place(const scene::AnchoredScene& anchored) {
+  Placements next = placements(anchored);
   for (std::size_t i = 0; i < next.size(); ++i) {
     if (next[i] == last_placed_[i]) continue;
     RTCGeometry geometry = impl_->instances[i].get();
@@ -143,7 +153,6 @@ bool EmbreeScene::place(const scene::AnchoredScene& anchored) {
   }
   rtcCommitScene(impl_->top.get());
   last_placed_ = std::move(next);
-  return true;
 }
 
 std::optional<Hit> EmbreeScene::intersect(const Ray& ray, Visible visible) const {

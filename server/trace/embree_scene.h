@@ -50,10 +50,11 @@ class EmbreeScene {
   EmbreeScene(const EmbreeScene&) = delete;
   EmbreeScene& operator=(const EmbreeScene&) = delete;
 
-  // Moves the instances to where they are in this frame and commits the top level. Returns false,
-  // having done nothing, if nothing has moved since the last call. Not to be called while rays are
-  // traced.
-  bool place(const scene::AnchoredScene& anchored);
+  // Whether the instances are already where this frame has them.
+  bool is_placed(const scene::AnchoredScene& anchored) const;
+
+  // Moves those that are not and commits the top level. Not to be called while rays are traced.
+  void place(const scene::AnchoredScene& anchored);
 
   // The nearest hit. Rays that are not finite meet nothing (numerics B12).
   std::optional<Hit> intersect(const Ray& ray, Visible visible) const;
@@ -64,9 +65,12 @@ class EmbreeScene {
 
  private:
   struct Impl;
+  using Placements = std::vector<std::optional<glm::mat4>>;  // none: not in the frame
+  Placements placements(const scene::AnchoredScene& anchored) const;
+
   const scene::Scene& scene_;
-  std::vector<PlacedInstance> placed_;                 // by Scene::instances
-  std::vector<std::optional<glm::mat4>> last_placed_;  // none: not in the last frame
+  std::vector<PlacedInstance> placed_;  // by Scene::instances
+  Placements last_placed_;
   std::unique_ptr<Impl> impl_;
 };
 

@@ -72,6 +72,7 @@ void Tile::generate_primary_rays() {
       }
     }
   }
+  counts_.samples = samples_.size();
   std::reverse(waiting_.begin(), waiting_.end());
 }
 
@@ -89,13 +90,13 @@ void Tile::intersect_rays() {
   for (const RayItem& item : batch_) {
     switch (item.kind) {
       case RayKind::Primary:
-        ++rays_.primary;
+        ++counts_.rays.primary;
         break;
       case RayKind::Reflection:
-        ++rays_.reflection;
+        ++counts_.rays.reflection;
         break;
       case RayKind::Refraction:
-        ++rays_.refraction;
+        ++counts_.rays.refraction;
         break;
     }
     hits_.push_back(request_.scene.intersect(item.ray, Visible::Everything));
@@ -122,6 +123,7 @@ void Tile::shade_hits() {
       pass_straight(item, point, weight);
       continue;
     }
+    if (item.kind == RayKind::Primary) count_primary(point, material);
     if (point.role == scene::Role::Virtual) samples_[item.sample].met_virtual = true;
     if (scene::is_specular(material.kind)) {
       scatter(item, point, weight);
@@ -131,6 +133,11 @@ void Tile::shade_hits() {
       diffuse_.push_back({point, -item.ray.direction, weight, item.sample, primary});
     }
   }
+}
+
+void Tile::count_primary(const SurfacePoint& point, const scene::Material& material) {
+  if (point.role == scene::Role::Virtual) ++counts_.primary_virtual;
+  if (scene::is_specular(material.kind)) ++counts_.primary_specular;
 }
 
 // Mirror and glass: the reflected and the refracted child (eq. 4.7, 4.8).
@@ -242,7 +249,7 @@ void Tile::spawn_shadow_rays() {
 }
 
 void Tile::trace_shadow_rays() {
-  rays_.shadow += shadows_.size();
+  counts_.rays.shadow += shadows_.size();
   for (const ShadowItem& item : shadows_) {
     const ShadowAttenuation attenuation = trace_shadow(request_.scene, item.ray);
     radiance_[item.diffuse].mixed += item.contribution * attenuation.mixed;
@@ -267,7 +274,7 @@ void Tile::add_real_surface(const DiffuseItem& item, const DiffuseRadiance& radi
   SampleResult& sample = samples_[item.sample];
   glm::vec3 mixed = radiance.mixed, real = radiance.real;
   if (!item.primary && lookup_ != nullptr) {
-    if (const auto seen = lookup_->look_up(request_.scene, item.point, rays_.lookup)) {
+    if (const auto seen = lookup_->look_up(request_.scene, item.point, counts_.rays.lookup)) {
       const glm::vec3 changed =
           glm::max(seen->radiance + (radiance.mixed - radiance.real), glm::vec3(0.0f));
       mixed = glm::mix(radiance.mixed, changed, seen->trust);

@@ -10,6 +10,12 @@ namespace amalgam::trace {
 
 inline constexpr int kTileSide = 16;  // pixels
 
+// What a tile adds to the TraceResult of the same names.
+struct TileCounts {
+  core::RayCounts rays;
+  std::uint64_t nonfinite = 0, samples = 0, primary_virtual = 0, primary_specular = 0;
+};
+
 class Tile {
  public:
   // The pixels [x, x + side) x [y, y + side) of the request's camera that lie inside it.
@@ -21,9 +27,7 @@ class Tile {
   // Adds the finished samples to the pixels they belong to. Tiles share no pixel.
   void resolve(TraceResult& result);
 
-  const core::RayCounts& rays() const { return rays_; }
-  std::uint64_t nonfinite() const { return nonfinite_; }
-  std::uint64_t sample_count() const { return samples_.size(); }
+  const TileCounts& counts() const { return counts_; }
 
  private:
   struct SamplePlace {
@@ -40,6 +44,7 @@ class Tile {
   void trace_shadow_rays();
   void add_diffuse();
 
+  void count_primary(const SurfacePoint& point, const scene::Material& material);
   void scatter(const RayItem& item, const SurfacePoint& point, const glm::vec3& weight);
   void pass_straight(const RayItem& item, const SurfacePoint& point, const glm::vec3& weight);
   void spawn(const RayItem& parent, const SurfacePoint& point, const glm::vec3& direction,
@@ -62,8 +67,7 @@ class Tile {
   std::vector<DiffuseItem> diffuse_;
   std::vector<DiffuseRadiance> radiance_;  // by diffuse_
   std::vector<ShadowItem> shadows_;
-  core::RayCounts rays_;
-  std::uint64_t nonfinite_ = 0;
+  TileCounts counts_;
 };
 
 }  // namespace amalgam::trace

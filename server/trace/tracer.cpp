@@ -26,8 +26,8 @@ void Tile::resolve(TraceResult& result) {
   for (std::size_t s = 0; s < samples_.size(); ++s) {
     SampleResult& sample = samples_[s];
     const SamplePlace& place = places_[s];
-    nonfinite_ += replace_nonfinite(sample.mixed) + replace_nonfinite(sample.real) +
-                  replace_nonfinite(sample.environment_reflection);
+    counts_.nonfinite += replace_nonfinite(sample.mixed) + replace_nonfinite(sample.real) +
+                         replace_nonfinite(sample.environment_reflection);
     const glm::vec3 mixed = scene::tone_map(sample.mixed, request_.exposure);
     if (sample.met_virtual) {
       result.layers.over.at(place.pixel_x, place.pixel_y) +=
@@ -62,22 +62,20 @@ TraceResult trace(const TraceRequest& request) {
 
   const int across = (width + kTileSide - 1) / kTileSide,
             down = (height + kTileSide - 1) / kTileSide;
-  struct TileCounts {
-    core::RayCounts rays;
-    std::uint64_t nonfinite = 0, samples = 0;
-  };
   std::vector<TileCounts> counts(static_cast<std::size_t>(across) * static_cast<std::size_t>(down));
   tbb::parallel_for(std::size_t{0}, counts.size(), [&](std::size_t index) {
     const int tile_x = static_cast<int>(index) % across, tile_y = static_cast<int>(index) / across;
     Tile tile(request, lookup ? &*lookup : nullptr, tile_x * kTileSide, tile_y * kTileSide);
     tile.trace();
     tile.resolve(result);
-    counts[index] = {tile.rays(), tile.nonfinite(), tile.sample_count()};
+    counts[index] = tile.counts();
   });
   for (const TileCounts& tile : counts) {
     result.rays += tile.rays;
     result.nonfinite += tile.nonfinite;
     result.traced_samples += tile.samples;
+    result.primary_virtual += tile.primary_virtual;
+    result.primary_specular += tile.primary_specular;
   }
   return result;
 }

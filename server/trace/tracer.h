@@ -60,6 +60,8 @@ struct TraceResult {
   core::RayCounts rays;
   std::uint64_t nonfinite = 0;  // sample values replaced by 0
   std::uint64_t traced_samples = 0;
+  std::uint64_t primary_virtual = 0,
+                primary_specular = 0;  // traced samples whose first surface is so
   std::optional<TracedImages> images;
 };
 

@@ -1,0 +1,22 @@
+#include "passes/encode.h"
+
+#include "codec/jpeg.h"
+
+namespace amalgam::passes {
+
+graph::Handle<EncodedImage> add_encode_pass(graph::FrameGraph& graph,
+                                            graph::Handle<Composite> composite, int quality) {
+  graph::Handle<EncodedImage> out;
+  graph.add_pass(
+      "encode",
+      [&](graph::Builder& builder) {
+        builder.needs(composite);
+        out = builder.writes<EncodedImage>("composite jpeg");
+      },
+      [composite, out, quality](const graph::Access& access) {
+        access.set(out, EncodedImage{codec::encode_jpeg(access.get(composite).pixels, quality)});
+      });
+  return out;
+}
+
+}  // namespace amalgam::passes

@@ -1,0 +1,18 @@
+// Rasterised and traced layers become one by adding (eq. 4.1, 4.2).
+#pragma once
+
+#include "graph/frame_graph.h"
+#include "passes/frame_resources.h"
+#include "trace/tracer.h"
+
+namespace amalgam::passes {
+
+struct MergeInputs {
+  graph::Handle<Layers> rasterised;          // may be absent
+  graph::Handle<trace::TraceResult> traced;  // may be absent
+};
+
+// Absent if all layers are zero everywhere: "nothing virtual has an effect on this frame".
+graph::Handle<Layers> add_merge_pass(graph::FrameGraph& graph, const MergeInputs& in);
+
+}  // namespace amalgam::passes

@@ -1,0 +1,52 @@
+// The tracer as a pass: what the specular samples of this frame show.
+#pragma once
+
+#include <vector>
+
+#include "graph/frame_graph.h"
+#include "passes/decode.h"
+#include "passes/exposure_meter.h"
+#include "passes/frame_resources.h"
+#include "scene/environment.h"
+#include "trace/tracer.h"
+
+namespace amalgam::passes {
+
+// An Embree scene whose instances are where this frame has them.
+struct PlacedScene {
+  const trace::EmbreeScene* scene = nullptr;
+};
+
+// Moves the instances; left out if nothing moved. samples: whoever needs tracing, so that nothing
+// is placed without.
+graph::Handle<PlacedScene> add_place_instances_pass(graph::FrameGraph& graph,
+                                                    graph::Handle<SpecularSamples> specular,
+                                                    const RenderView& view,
+                                                    trace::EmbreeScene& scene);
+
+struct TraceInputs {
+  const RenderView& view;
+  const scene::Environment* environment = nullptr;
+  trace::TraceSettings settings;
+  bool keep_images = false;
+  graph::Handle<SpecularSamples> specular;
+  graph::Handle<SampleMask> mask;  // may be absent: every sample is traced
+  graph::Handle<PlacedScene> scene;
+  graph::Handle<CameraImage> camera_image;
+  graph::Handle<float> exposure;
+  graph::Handle<RealDepth> real_depth;  // may be absent: look-ups then ask by rays
+};
+
+graph::Handle<trace::TraceResult> add_trace_pass(graph::FrameGraph& graph, const TraceInputs& in);
+
+struct TracedMeterInputs {
+  const RenderView& view;
+  const scene::Environment* environment = nullptr;
+  graph::Handle<PlacedScene> scene;
+};
+
+// The exposure meter's grid by tracing, for where nothing is rasterised.
+graph::Handle<MeterGrid> add_traced_meter_pass(graph::FrameGraph& graph,
+                                               const TracedMeterInputs& in);
+
+}  // namespace amalgam::passes

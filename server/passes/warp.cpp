@@ -1,0 +1,70 @@
+#include "passes/warp.h"
+
+#include <tbb/parallel_for.h>
+
+#include <cmath>
+#include <glm/common.hpp>
+#include <limits>
+
+namespace amalgam::passes {
+namespace {
+
+template <typename Pixel>
+Pixel bilinear(const core::Image<Pixel>& image, const glm::vec2& at) {
+  const float floor_x = std::floor(at.x), floor_y = std::floor(at.y);
+  const int x = static_cast<int>(floor_x), y = static_cast<int>(floor_y);
+  const auto texel = [&](int i, int j) {
+    const bool inside = i >= 0 && j >= 0 && i < image.width() && j < image.height();
+    return inside ? image.at(i, j) : Pixel(0.0f);
+  };
+  const float fx = at.x - floor_x, fy = at.y - floor_y;
+  return glm::mix(glm::mix(texel(x, y), texel(x + 1, y), fx),
+                  glm::mix(texel(x, y + 1), texel(x + 1, y + 1), fx), fy);
+}
+
+}  // namespace
+
+core::Image<glm::vec2> make_warp_map(const core::CameraModel& camera,
+                                     const core::CameraModel& ideal) {
+  core::Image<glm::vec2> map(camera.width, camera.height,
+                             glm::vec2(std::numeric_limits<float>::quiet_NaN()));
+  tbb::parallel_for(0, camera.height, [&](int y) {
+    for (int x = 0; x < camera.width; ++x) {
+      const auto direction = core::pixel_direction(camera, {x, y});
+      const auto at = direction ? core::project(ideal, *direction) : std::nullopt;
+      if (at) map.at(x, y) = glm::vec2(*at);
+    }
+  });
+  return map;
+}
+
+Layers warp_layers(const Layers& ideal_layers, const core::Image<glm::vec2>& map) {
+  Layers warped{core::ImageRgba32f(map.width(), map.height(), glm::vec4(0.0f)),
+                core::ImageRgb32f(map.width(), map.height(), glm::vec3(0.0f))};
+  tbb::parallel_for(0, map.height(), [&](int y) {
+    for (int x = 0; x < map.width(); ++x) {
+      const glm::vec2 at = map.at(x, y);
+      if (!(std::abs(at.x) < 1e6f) || !(std::abs(at.y) < 1e6f)) continue;
+      warped.over.at(x, y) = bilinear(ideal_layers.over, at);
+      warped.difference.at(x, y) = bilinear(ideal_layers.difference, at);
+    }
+  });
+  return warped;
+}
+
+graph::Handle<Layers> add_warp_pass(graph::FrameGraph& graph, graph::Handle<Layers> ideal_layers,
+                                    const core::Image<glm::vec2>& map) {
+  graph::Handle<Layers> out;
+  graph.add_pass(
+      "warp",
+      [&](graph::Builder& builder) {
+        builder.needs(ideal_layers);
+        out = builder.writes<Layers>("warped layers");
+      },
+      [ideal_layers, out, &map](const graph::Access& access) {
+        access.set(out, warp_layers(access.get(ideal_layers), map));
+      });
+  return out;
+}
+
+}  // namespace amalgam::passes
