@@ -1,7 +1,6 @@
 #include "client/desk_texture.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/common.hpp>
 
 namespace amalgam::client {
@@ -9,14 +8,16 @@ namespace {
 
 constexpr int kMinTexels = 64;  // a level below this is never needed at a desk's distance
 
-core::ImageRgb8 half_size(const core::ImageRgb8& image) {
-  core::ImageRgb8 half(image.width() / 2, image.height() / 2);
+core::Image<PackedColour> half_size(const core::Image<PackedColour>& image) {
+  core::Image<PackedColour> half(image.width() / 2, image.height() / 2);
   for (int y = 0; y < half.height(); ++y) {
     for (int x = 0; x < half.width(); ++x) {
-      const glm::ivec3 sum =
-          glm::ivec3(image.at(2 * x, 2 * y)) + glm::ivec3(image.at(2 * x + 1, 2 * y)) +
-          glm::ivec3(image.at(2 * x, 2 * y + 1)) + glm::ivec3(image.at(2 * x + 1, 2 * y + 1));
-      half.at(x, y) = core::Rgb8((sum + 2) / 4);
+      PackedMean mean;
+      mean.add(image.at(2 * x, 2 * y));
+      mean.add(image.at(2 * x + 1, 2 * y));
+      mean.add(image.at(2 * x, 2 * y + 1));
+      mean.add(image.at(2 * x + 1, 2 * y + 1));
+      half.at(x, y) = pack(mean.mean());
     }
   }
   return half;
@@ -27,34 +28,37 @@ core::ImageRgb8 half_size(const core::ImageRgb8& image) {
 DeskTexture::DeskTexture(const glm::dvec2& low, double side, int texels,
                          const std::function<glm::vec3(const glm::dvec2&)>& colour_at)
     : low_(low), side_(side), texel_(side / texels) {
-  core::ImageRgb8 finest(texels, texels);
+  core::Image<PackedColour> finest(texels, texels);
   for (int y = 0; y < texels; ++y) {
     for (int x = 0; x < texels; ++x) {
       const glm::dvec2 centre = low + texel_ * (glm::dvec2(x, y) + 0.5);
-      finest.at(x, y) = core::Rgb8(glm::clamp(colour_at(centre) + 0.5f, 0.0f, 255.0f));
+      finest.at(x, y) = pack(core::Rgb8(glm::clamp(colour_at(centre) + 0.5f, 0.0f, 255.0f)));
     }
   }
-  levels_.push_back(std::move(finest));
-  while (levels_.back().width() / 2 >= kMinTexels) levels_.push_back(half_size(levels_.back()));
+  levels_.push_back({std::move(finest), 256.0 * texels / side});
+  while (levels_.back().texels.width() / 2 >= kMinTexels) {
+    core::Image<PackedColour> half = half_size(levels_.back().texels);
+    const double scale = 256.0 * half.width() / side;
+    levels_.push_back({std::move(half), scale});
+  }
 }
 
-bool DeskTexture::covers(const glm::dvec2& point) const {
-  return point.x >= low_.x && point.y >= low_.y && point.x < low_.x + side_ &&
-         point.y < low_.y + side_;
-}
-
-glm::vec3 DeskTexture::sample(const glm::dvec2& point, double footprint) const {
-  const int finer = footprint > texel_ ? std::ilogb(footprint / texel_) : 0;
-  const auto level = std::min(static_cast<std::size_t>(finer), levels_.size() - 1);
-  const core::ImageRgb8& image = levels_[level];
-  const glm::dvec2 at = (point - low_) * (image.width() / side_) - 0.5;
-  const glm::dvec2 clamped = glm::clamp(at, glm::dvec2(0.0), glm::dvec2(image.width() - 1.001));
-  const auto x = static_cast<int>(clamped.x), y = static_cast<int>(clamped.y);
-  const auto fx = static_cast<float>(clamped.x - x), fy = static_cast<float>(clamped.y - y);
-  const glm::vec3 upper = glm::mix(glm::vec3(image.at(x, y)), glm::vec3(image.at(x + 1, y)), fx);
-  const glm::vec3 lower =
-      glm::mix(glm::vec3(image.at(x, y + 1)), glm::vec3(image.at(x + 1, y + 1)), fx);
-  return glm::mix(upper, lower, fy);
+PackedColour DeskTexture::sample(const glm::dvec2& point, double footprint) const {
+  std::size_t level = 0;
+  for (double texel = 2 * texel_; texel <= footprint && level + 1 < levels_.size(); texel *= 2) {
+    ++level;
+  }
+  const auto& [image, scale] = levels_[level];
+  // Positions in 1/256 of a texel; whole ones are texels' centres.
+  const int limit = 256 * (image.width() - 1) - 1;
+  const int at_x = std::clamp(static_cast<int>((point.x - low_.x) * scale) - 128, 0, limit);
+  const int at_y = std::clamp(static_cast<int>((point.y - low_.y) * scale) - 128, 0, limit);
+  const int x = at_x >> 8, y = at_y >> 8;
+  const auto weight_x = static_cast<std::uint32_t>(at_x & 255);
+  const auto weight_y = static_cast<std::uint32_t>(at_y & 255);
+  const PackedColour upper = mix_packed(image.at(x, y), image.at(x + 1, y), weight_x);
+  const PackedColour lower = mix_packed(image.at(x, y + 1), image.at(x + 1, y + 1), weight_x);
+  return mix_packed(upper, lower, weight_y);
 }
 
 }  // namespace amalgam::client

@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "client/packed_colour.h"
 #include "core/image.h"
 
 namespace amalgam::client {
@@ -17,17 +18,25 @@ class DeskTexture {
   DeskTexture(const glm::dvec2& low, double side, int texels,
               const std::function<glm::vec3(const glm::dvec2&)>& colour_at);
 
-  bool covers(const glm::dvec2& point) const;
+  bool covers(const glm::dvec2& point) const {
+    return point.x >= low_.x && point.y >= low_.y && point.x < low_.x + side_ &&
+           point.y < low_.y + side_;
+  }
 
   // Bilinear, from the level whose texels are nearest below the footprint (metres on the desk that
   // the sample stands for). The point must be covered.
-  glm::vec3 sample(const glm::dvec2& point, double footprint) const;
+  PackedColour sample(const glm::dvec2& point, double footprint) const;
 
  private:
+  struct Level {
+    core::Image<PackedColour> texels;
+    double scale = 0.0;  // 1/256 texels in a metre
+  };
+
   glm::dvec2 low_;
   double side_;
-  double texel_;                         // metres, of level 0
-  std::vector<core::ImageRgb8> levels_;  // each half as wide as the one before
+  double texel_;               // metres, of level 0
+  std::vector<Level> levels_;  // each half as wide as the one before
 };
 
 }  // namespace amalgam::client

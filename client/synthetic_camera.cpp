@@ -18,10 +18,10 @@ double sample_position(int sample) {
 }
 
 // The wall behind the desk, by how steeply a ray leaves: it gives mirrors and horizons a direction.
-glm::vec3 wall(const glm::dvec3& direction) {
+PackedColour wall(const glm::dvec3& direction) {
   const double height = direction.z / glm::length(direction);
   const auto lit = static_cast<float>(glm::clamp(0.55 + 0.6 * height, 0.25, 1.0));
-  return glm::vec3(196, 208, 220) * lit;
+  return pack(core::Rgb8(glm::vec3(196, 208, 220) * lit));
 }
 
 }  // namespace
@@ -84,13 +84,13 @@ core::ImageRgb8 SyntheticCamera::render(const core::MarkerPose& pose) const {
     for (int x = 0; x < image.width(); ++x) {
       // The mean of encoded values, not of light: a mean of light would shift every black-white
       // edge into the black, and the marker would be measured too small.
-      glm::vec3 sum(0.0f);
+      PackedMean mean;
       for (int j = 0; j < kSamplesPerSide; ++j) {
         for (int i = 0; i < kSamplesPerSide; ++i) {
-          sum += see(x * kSamplesPerSide + i, y * kSamplesPerSide + j);
+          mean.add(see(x * kSamplesPerSide + i, y * kSamplesPerSide + j));
         }
       }
-      image.at(x, y) = core::Rgb8(sum / float{kSamplesPerSide * kSamplesPerSide} + 0.5f);
+      image.at(x, y) = mean.mean();
     }
   }
   return image;

@@ -15,8 +15,8 @@ constexpr int kDeskTexels = 1500;
 constexpr double kNearSide = 0.64;
 constexpr int kNearTexels = 1600;
 
-constexpr glm::vec3 kInk{24, 24, 26};
-constexpr glm::vec3 kPaper{236, 236, 232};
+constexpr PackedColour kInk = 0x1A1818;
+constexpr PackedColour kPaper = 0xE8ECEC;
 
 }  // namespace
 
@@ -35,6 +35,7 @@ SyntheticDesk::SyntheticDesk(const PrintedMarker& marker)
   if (!(marker.length > 0) || marker.length > room) {
     throw std::runtime_error("a marker of that length does not fit on the synthetic sheet");
   }
+  cells_per_metre_ = cells_ / marker.length;
   const cv::Mat inner = cv::aruco::Dictionary::getBitsFromByteList(
       dictionary->bytesList.row(marker.id), dictionary->markerSize);
   bits_.assign(static_cast<std::size_t>(cells_ * cells_), 0);
@@ -45,10 +46,10 @@ SyntheticDesk::SyntheticDesk(const PrintedMarker& marker)
   }
 }
 
-glm::vec3 SyntheticDesk::colour(const glm::dvec2& point, double footprint) const {
+PackedColour SyntheticDesk::colour(const glm::dvec2& point, double footprint) const {
   // The marker is evaluated and not looked up: its edges are where poses come from.
-  const double column = (point.x / marker_.length + 0.5) * cells_;
-  const double row = (0.5 - point.y / marker_.length) * cells_;
+  const double column = point.x * cells_per_metre_ + 0.5 * cells_;
+  const double row = 0.5 * cells_ - point.y * cells_per_metre_;
   if (column >= 0 && row >= 0 && column < cells_ && row < cells_) {
     const int cell = static_cast<int>(row) * cells_ + static_cast<int>(column);
     return bits_[static_cast<std::size_t>(cell)] != 0 ? kPaper : kInk;

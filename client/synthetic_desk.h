@@ -3,11 +3,10 @@
 // down.
 //
 // The desk is the plane z = 0 of OpenCV's marker frame: points are (x to the marker's right, y to
-// its top) in metres. Colours are 8-bit sRGB values, 0..255, in floating point.
+// its top) in metres.
 #pragma once
 
 #include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
 #include <string>
 #include <vector>
 
@@ -30,13 +29,14 @@ class SyntheticDesk {
   bool covers(const glm::dvec2& point) const { return whole_.covers(point); }
 
   // footprint: metres on the desk that the sample stands for. The point must be covered.
-  glm::vec3 colour(const glm::dvec2& point, double footprint) const;
+  PackedColour colour(const glm::dvec2& point, double footprint) const;
 
   const PrintedMarker& marker() const { return marker_; }
 
  private:
   PrintedMarker marker_;
-  int cells_ = 0;                    // along a side, with the black border
+  int cells_ = 0;  // along a side, with the black border
+  double cells_per_metre_ = 0.0;
   std::vector<unsigned char> bits_;  // cells_ x cells_, row 0 at the top; 1 is white
   DeskTexture whole_;                // coarse, to the desk's edges
   DeskTexture near_;                 // fine, around the sheet
