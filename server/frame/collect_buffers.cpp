@@ -1,0 +1,95 @@
+#include "frame/collect_buffers.h"
+
+#include <algorithm>
+
+#include "passes/read_back.h"
+
+namespace amalgam::frame {
+namespace {
+
+// The first sample of each pixel.
+template <typename Pixel>
+core::Image<Pixel> first_samples(const core::Image<Pixel>& samples,
+                                 const passes::RenderView& view) {
+  const int n = view.samples_per_side;
+  core::Image<Pixel> first(view.ideal.width, view.ideal.height);
+  for (int y = 0; y < first.height(); ++y) {
+    for (int x = 0; x < first.width(); ++x) first.at(x, y) = samples.at(x * n, y * n);
+  }
+  return first;
+}
+
+struct ThesisBuffers {
+  explicit ThesisBuffers(const passes::RenderView& view)
+      : mixed(view.ideal.width, view.ideal.height),
+        real(view.ideal.width, view.ideal.height),
+        environment_reflection(view.ideal.width, view.ideal.height),
+        virtual_mask(view.ideal.width, view.ideal.height) {}
+
+  void add(const core::ImageRgba32f& rasterised_mixed, const core::ImageRgba32f& rasterised_real) {
+    for (int y = 0; y < mixed.height(); ++y) {
+      for (int x = 0; x < mixed.width(); ++x) {
+        mixed.at(x, y) += glm::vec3(rasterised_mixed.at(x, y));
+        real.at(x, y) += glm::vec3(rasterised_real.at(x, y));
+        virtual_mask.at(x, y) = std::max(virtual_mask.at(x, y), rasterised_mixed.at(x, y).w);
+      }
+    }
+  }
+  void add(const trace::TracedImages& traced) {
+    for (int y = 0; y < mixed.height(); ++y) {
+      for (int x = 0; x < mixed.width(); ++x) {
+        mixed.at(x, y) += traced.mixed.at(x, y);
+        real.at(x, y) += glm::vec3(traced.real.at(x, y));
+        environment_reflection.at(x, y) += traced.environment_reflection.at(x, y);
+        virtual_mask.at(x, y) =
+            std::max(virtual_mask.at(x, y), float{traced.met_virtual.at(x, y) != 0});
+      }
+    }
+  }
+
+  core::ImageRgb32f mixed, real, environment_reflection;
+  core::Image32f virtual_mask;
+};
+
+core::Image32f tracing_mask(const core::Image<std::uint8_t>& flags) {
+  core::Image32f mask(flags.width(), flags.height());
+  std::transform(flags.pixels().begin(), flags.pixels().end(), mask.data(), [](std::uint8_t flag) {
+    return (flag & passes::SampleMask::kSpecular) != 0 ? 1.0f : 0.0f;
+  });
+  return mask;
+}
+
+}  // namespace
+
+FrameBuffers collect_buffers(const graph::FrameGraph& graph, const FramePasses& frame,
+                             const passes::RenderView& view) {
+  FrameBuffers buffers;
+  ThesisBuffers thesis(view);
+  const passes::DeviceImage* mixed = graph.peek(frame.diffuse.mixed);
+  const passes::DeviceImage* real = graph.peek(frame.diffuse.real);
+  const trace::TraceResult* traced = graph.peek(frame.traced);
+  if (mixed != nullptr && real != nullptr) {
+    thesis.add(first_samples(passes::read_rgba(*mixed), view),
+               first_samples(passes::read_rgba(*real), view));
+  }
+  if (traced != nullptr && traced->images) thesis.add(*traced->images);
+  if (mixed != nullptr || traced != nullptr) {
+    buffers.emplace("mixed", std::move(thesis.mixed));
+    buffers.emplace("real", std::move(thesis.real));
+    buffers.emplace("environment_reflection", std::move(thesis.environment_reflection));
+    buffers.emplace("virtual_mask", std::move(thesis.virtual_mask));
+  }
+  if (const passes::SampleMask* mask = graph.peek(frame.mask.mask)) {
+    buffers.emplace("tracing_mask", tracing_mask(first_samples(mask->flags, view)));
+  }
+  if (const passes::RealDepth* depth = graph.peek(frame.real_depth)) {
+    buffers.emplace("real_depth", depth->z);
+  }
+  if (const passes::Layers* layers = graph.peek(frame.layers)) {
+    buffers.emplace("over", layers->over);
+    buffers.emplace("difference", layers->difference);
+  }
+  return buffers;
+}
+
+}  // namespace amalgam::frame

@@ -1,0 +1,23 @@
+// Every buffer of one frame, for people who want to compare them with the thesis.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <variant>
+
+#include "core/image.h"
+
+namespace amalgam::frame {
+
+using BufferImage = std::variant<core::Image32f, core::ImageRgb32f, core::ImageRgba32f>;
+
+// By name: mixed (I_m), real (I_r), environment_reflection (I_e), virtual_mask (M_v), tracing_mask
+// (M_r), real_depth, and the layers over (A with a) and difference (D). One sample a pixel, ideal
+// camera geometry. What the frame did not make is missing.
+using FrameBuffers = std::map<std::string, BufferImage>;
+
+// Writes NAME.exr for each; makes the folder. Throws std::runtime_error.
+void write_buffers(const FrameBuffers& buffers, const std::filesystem::path& folder);
+
+}  // namespace amalgam::frame

@@ -1,0 +1,142 @@
+#include "frame/frame_passes.h"
+
+#include <algorithm>
+
+#include "passes/effect.h"
+#include "passes/merge.h"
+#include "passes/raster_meter.h"
+#include "passes/real_depth.h"
+#include "passes/resolve.h"
+#include "passes/upload_view.h"
+#include "passes/warp.h"
+
+namespace amalgam::frame {
+namespace {
+
+// Why this frame cannot show anything virtual, whatever the camera sees; nothing if it might.
+std::optional<std::string> reason_for_nothing(const SceneResources& resources,
+                                              const passes::RenderView& view) {
+  if (!resources.features.has_virtual) return "no virtual object in the scene";
+  const auto& instances = view.scene.instances;
+  const bool any_virtual =
+      std::any_of(instances.begin(), instances.end(), [&](const auto& anchored) {
+        return resources.scene.instances[anchored.instance].role == scene::Role::Virtual;
+      });
+  if (!any_virtual) return "no pose of a marker that a virtual object stands on";
+  return std::nullopt;
+}
+
+passes::ExposureInputs exposure_inputs(const FrameRequest& request, const FramePasses& frame,
+                                       graph::Handle<passes::MeterGrid> grid) {
+  return {.fixed = request.settings.exposure,
+          .camera = request.render_view.camera,
+          .ideal = request.render_view.ideal,
+          .grid = grid,
+          .camera_image = frame.camera_image,
+          .memory = request.view.exposure};
+}
+
+passes::TraceInputs trace_inputs(const SceneResources& resources, const FrameRequest& request,
+                                 const FramePasses& frame) {
+  const auto& environment = resources.scene.environment;
+  return {.view = request.render_view,
+          .environment = environment ? &*environment : nullptr,
+          .settings = request.settings.trace,
+          .keep_images = request.keep_buffers,
+          .specular = frame.mask.specular,
+          .mask = frame.mask.mask,
+          .scene = {},
+          .camera_image = frame.camera_image,
+          .exposure = frame.exposure,
+          .real_depth = frame.real_depth};
+}
+
+// Rasterise what is diffuse, trace what is specular.
+void add_hybrid_passes(graph::FrameGraph& graph, const SceneResources& resources,
+                       const FrameRequest& request, const std::optional<std::string>& nothing,
+                       FramePasses& frame) {
+  const passes::RasterContext& raster = *resources.raster;
+  const passes::RenderView& view = request.render_view;
+  const auto device_view = nothing
+                               ? graph.absent<passes::DeviceView>("device view", *nothing)
+                               : passes::add_upload_view_pass(graph, {raster, view}).device_view;
+  const auto shadows = passes::add_shadow_maps_pass(
+      graph,
+      {.raster = raster, .view = view, .device_view = device_view, .cache = *resources.shadows});
+  frame.mask = passes::add_mask_pass(graph, {raster, view, device_view});
+  frame.diffuse = passes::add_diffuse_pass(graph, {raster, view, device_view, frame.mask, shadows});
+  const auto effect = passes::add_effect_pass(graph, {raster, frame.diffuse}).effect;
+  const auto grid = passes::add_raster_meter_pass(graph, view, frame.diffuse.real);
+  frame.exposure = passes::add_exposure_pass(graph, exposure_inputs(request, frame, grid));
+  const auto resolved =
+      passes::add_resolve_pass(graph, {raster, view, frame.diffuse, effect, frame.exposure});
+  frame.rasterised = resolved.layers;
+  frame.rasterised_nonfinite = resolved.nonfinite;
+
+  if (resources.embree == nullptr) {
+    graph.note_left_out("real depth", "no specular object in the scene");
+    graph.note_left_out("place instances", "no specular object in the scene");
+    graph.note_left_out("trace", "no specular object in the scene");
+    return;
+  }
+  frame.real_depth =
+      passes::add_real_depth_pass(graph, {raster, view, device_view, frame.mask.specular}).depth;
+  passes::TraceInputs trace = trace_inputs(resources, request, frame);
+  trace.scene =
+      passes::add_place_instances_pass(graph, frame.mask.specular, view, *resources.embree);
+  frame.traced = passes::add_trace_pass(graph, trace);
+}
+
+// Trace every sample.
+void add_raytrace_passes(graph::FrameGraph& graph, const SceneResources& resources,
+                         const FrameRequest& request, const std::optional<std::string>& nothing,
+                         FramePasses& frame) {
+  const passes::RenderView& view = request.render_view;
+  frame.mask.specular = nothing
+                            ? graph.absent<passes::SpecularSamples>("samples to trace", *nothing)
+                            : graph.import("samples to trace", passes::SpecularSamples{});
+  const auto placed =
+      passes::add_place_instances_pass(graph, frame.mask.specular, view, *resources.embree);
+  const auto& environment = resources.scene.environment;
+  const auto grid = passes::add_traced_meter_pass(
+      graph, {.view = view, .environment = environment ? &*environment : nullptr, .scene = placed});
+  frame.exposure = passes::add_exposure_pass(graph, exposure_inputs(request, frame, grid));
+  passes::TraceInputs trace = trace_inputs(resources, request, frame);
+  trace.scene = placed;
+  frame.traced = passes::add_trace_pass(graph, trace);
+}
+
+}  // namespace
+
+FramePasses add_frame_passes(graph::FrameGraph& graph, const SceneResources& resources,
+                             const FrameRequest& request) {
+  FramePasses frame;
+  const auto nothing = reason_for_nothing(resources, request.render_view);
+  graph.note_left_out("light extraction", resources.features.has_environment
+                                              ? "the environment has not changed"
+                                              : "no environment in the scene");
+  frame.camera_image =
+      passes::add_decode_pass(graph, request.input.image, request.render_view.camera);
+  if (resources.raster != nullptr) {
+    add_hybrid_passes(graph, resources, request, nothing, frame);
+  } else {
+    add_raytrace_passes(graph, resources, request, nothing, frame);
+  }
+  frame.layers = passes::add_merge_pass(graph, {frame.rasterised, frame.traced});
+  auto layers = frame.layers;
+  if (request.view.warp_map) {
+    layers = passes::add_warp_pass(graph, frame.layers, *request.view.warp_map);
+  } else {
+    graph.note_left_out("warp", "the lens does not distort");
+  }
+  const bool wants_own_quality = request.view.options.jpeg_quality != 0;
+  frame.composite = passes::add_composite_pass(graph, {.layers = layers,
+                                                       .camera_image = frame.camera_image,
+                                                       .even_if_unchanged = wants_own_quality});
+  frame.encoded = passes::add_encode_pass(
+      graph, frame.composite,
+      wants_own_quality ? request.view.options.jpeg_quality : request.settings.jpeg_quality);
+  return frame;
+}
+
+}  // namespace amalgam::frame

@@ -1,0 +1,57 @@
+// The passes of one frame, connected: which result feeds which, for each renderer mode.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "frame/frame.h"
+#include "frame/renderer_settings.h"
+#include "frame/view_state.h"
+#include "graph/frame_graph.h"
+#include "passes/composite.h"
+#include "passes/decode.h"
+#include "passes/diffuse.h"
+#include "passes/encode.h"
+#include "passes/mask.h"
+#include "passes/shadow_maps.h"
+#include "passes/trace.h"
+#include "scene/features.h"
+
+namespace amalgam::frame {
+
+// What outlives a frame and is shared by all views of a scene.
+struct SceneResources {
+  const scene::Scene& scene;
+  const scene::SceneFeatures& features;
+  trace::EmbreeScene* embree = nullptr;           // null: nothing of the scene is ever traced
+  const passes::RasterContext* raster = nullptr;  // null: nothing is rasterised
+  passes::ShadowCache* shadows = nullptr;         // goes with raster
+};
+
+struct FrameRequest {
+  const RendererSettings& settings;
+  const FrameInput& input;
+  ViewState& view;
+  const passes::RenderView& render_view;
+  bool keep_buffers = false;
+};
+
+// Handles to all that somebody may ask of a frame. Unset where the mode has no such thing.
+struct FramePasses {
+  graph::Handle<passes::CameraImage> camera_image;
+  graph::Handle<float> exposure;
+  passes::MaskOutputs mask;
+  passes::DiffuseOutputs diffuse;
+  graph::Handle<passes::RealDepth> real_depth;
+  graph::Handle<passes::Layers> rasterised;
+  graph::Handle<std::uint64_t> rasterised_nonfinite;
+  graph::Handle<trace::TraceResult> traced;
+  graph::Handle<passes::Layers> layers;  // merged, ideal geometry
+  graph::Handle<passes::Composite> composite;
+  graph::Handle<passes::EncodedImage> encoded;
+};
+
+FramePasses add_frame_passes(graph::FrameGraph& graph, const SceneResources& resources,
+                             const FrameRequest& request);
+
+}  // namespace amalgam::frame

@@ -1,0 +1,171 @@
+#include "frame/frame_renderer.h"
+
+#include <tbb/task_arena.h>
+
+#include <cmath>
+#include <thread>
+
+#include "frame/collect_buffers.h"
+#include "frame/frame_passes.h"
+#include "frame/scene_variant.h"
+#include "scene/anchored_scene.h"
+#include "scene/env_lights.h"
+#include "scene/features.h"
+
+namespace amalgam::frame {
+namespace {
+
+// What rasterising needs, made only for modes that rasterise.
+struct Raster {
+  explicit Raster(const scene::Scene& scene)
+      : shaders(gl::find_features(scene)),
+        gpu_scene(scene),
+        passes{context, shaders, gpu_scene, targets} {}
+  gl::EglContext context;
+  gl::ShaderLibrary shaders;
+  gl::GpuScene gpu_scene;
+  passes::RasterTargets targets;
+  passes::ShadowCache shadows;
+  passes::RasterContext passes;
+};
+
+FrameStatistics collect_statistics(const graph::FrameGraph& graph, const FramePasses& frame,
+                                   const passes::RenderView& view) {
+  FrameStatistics statistics;
+  for (const graph::PassReport& report : graph.reports()) {
+    statistics.passes.push_back({report.name, report.ran, report.reason});
+    if (report.ran) core::add_time(statistics.stages, report.name, report.milliseconds);
+  }
+  const auto samples = static_cast<std::uint64_t>(view.samples_per_side * view.samples_per_side);
+  statistics.pixels.total =
+      static_cast<std::uint64_t>(view.ideal.width) * static_cast<std::uint64_t>(view.ideal.height);
+  if (const trace::TraceResult* traced = graph.peek(frame.traced)) {
+    statistics.rays = traced->rays;
+    statistics.nonfinite += traced->nonfinite;
+    statistics.pixels.virtual_pixels = traced->primary_virtual / samples;
+    statistics.pixels.specular = traced->primary_specular / samples;
+  }
+  if (const passes::SampleCounts* counts = graph.peek(frame.mask.counts)) {
+    statistics.pixels.virtual_pixels = counts->virtual_surface / samples;
+    statistics.pixels.specular = counts->specular / samples;
+  }
+  if (const auto* nonfinite = graph.peek(frame.rasterised_nonfinite)) {
+    statistics.nonfinite += *nonfinite;
+  }
+  if (const float* exposure = graph.peek(frame.exposure)) statistics.exposure = *exposure;
+  return statistics;
+}
+
+}  // namespace
+
+class FrameRenderer::Impl {
+ public:
+  Impl(scene::Scene scene, const RendererSettings& settings)
+      : settings_(settings),
+        scene_(scene_variant(std::move(scene), settings.mode)),
+        features_(scene::find_features(scene_)),
+        arena_(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic),
+        owner_(std::this_thread::get_id()) {
+    check_settings(settings);
+    if (scene_.environment) {
+      environment_lights_ = scene::extract_lights(*scene_.environment, settings.env_lights);
+    }
+    const bool traces_all = settings.mode == RendererMode::Raytrace;
+    if (traces_all || features_.has_specular) embree_.emplace(scene_);
+    if (!traces_all) raster_.emplace(scene_);
+  }
+
+  FrameOutput render(ViewState& view, const FrameInput& input, FrameBuffers* buffers) {
+    AMALGAM_CHECK(std::this_thread::get_id() == owner_,
+                  "rendering on a thread that is not the owner");
+    FrameOutput output;
+    arena_.execute([&] { output = render_in_arena(view, input, buffers); });
+    return output;
+  }
+
+  const scene::Scene& scene() const { return scene_; }
+  const std::string& last_graph() const { return last_graph_; }
+
+ private:
+  FrameOutput render_in_arena(ViewState& view, const FrameInput& input, FrameBuffers* buffers) {
+    const core::Stopwatch stopwatch;
+    const passes::RenderView render_view = make_render_view(view, input);
+    graph::FrameGraph graph;
+    const SceneResources resources{
+        .scene = scene_,
+        .features = features_,
+        .embree = embree_ ? &*embree_ : nullptr,
+        .raster = raster_ ? &raster_->passes : nullptr,
+        .shadows = raster_ ? &raster_->shadows : nullptr,
+    };
+    const FramePasses frame = add_frame_passes(
+        graph, resources, {settings_, input, view, render_view, buffers != nullptr});
+
+    FrameOutput output = take_output(graph, frame, view, input);
+    if (buffers != nullptr) *buffers = collect_buffers(graph, frame, render_view);
+    output.statistics = collect_statistics(graph, frame, render_view);
+    core::add_time(output.statistics.stages, "total", stopwatch.milliseconds());
+    last_graph_ = graph.to_graphviz();
+    return output;
+  }
+
+  passes::RenderView make_render_view(const ViewState& view, const FrameInput& input) const {
+    passes::RenderView render_view{
+        .camera = view.options.camera,
+        .ideal = view.ideal,
+        .scene = scene::anchor_scene(scene_, input.poses),
+        .lights = environment_lights_,
+        .samples_per_side = static_cast<int>(std::lround(std::sqrt(settings_.samples_per_pixel))),
+    };
+    const auto& punctual = render_view.scene.punctual_lights;
+    render_view.lights.insert(render_view.lights.end(), punctual.begin(), punctual.end());
+    return render_view;
+  }
+
+  // Asks the graph for what the client wants; everything else follows from that.
+  static FrameOutput take_output(graph::FrameGraph& graph, const FramePasses& frame,
+                                 const ViewState& view, const FrameInput& input) {
+    FrameOutput output;
+    const auto* jpeg = std::get_if<Bytes>(&input.image);
+    if (jpeg != nullptr) {
+      const passes::EncodedImage* encoded = graph.realise(frame.encoded);
+      output.unchanged = encoded == nullptr;
+      output.jpeg = encoded != nullptr ? encoded->jpeg : *jpeg;
+    }
+    if (view.options.keep_pixels) {
+      const passes::Composite* composite = graph.realise(frame.composite);
+      output.unchanged = composite == nullptr;
+      output.pixels =
+          composite != nullptr ? composite->pixels : graph.realise(frame.camera_image)->pixels;
+    }
+    return output;
+  }
+
+  RendererSettings settings_;
+  scene::Scene scene_;
+  scene::SceneFeatures features_;
+  std::vector<scene::Light> environment_lights_;
+  std::optional<trace::EmbreeScene> embree_;
+  std::optional<Raster> raster_;
+  tbb::task_arena arena_;
+  std::thread::id owner_;
+  std::string last_graph_;
+};
+
+FrameRenderer::FrameRenderer(scene::Scene scene, const RendererSettings& settings)
+    : impl_(std::make_unique<Impl>(std::move(scene), settings)) {}
+
+FrameRenderer::~FrameRenderer() = default;
+
+FrameOutput FrameRenderer::render(ViewState& view, const FrameInput& input, FrameBuffers* buffers) {
+  return impl_->render(view, input, buffers);
+}
+
+const scene::Scene& FrameRenderer::scene() const {
+  return impl_->scene();
+}
+const std::string& FrameRenderer::last_graph() const {
+  return impl_->last_graph();
+}
+
+}  // namespace amalgam::frame

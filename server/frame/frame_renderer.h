@@ -1,0 +1,35 @@
+// One scene, rendered into any number of camera views, one frame at a time.
+//
+// Owned by one thread: the one that made it, which owns the OpenGL context.
+#pragma once
+
+#include <memory>
+
+#include "frame/frame.h"
+#include "frame/frame_buffers.h"
+#include "frame/renderer_settings.h"
+#include "frame/view_state.h"
+#include "scene/scene.h"
+
+namespace amalgam::frame {
+
+class FrameRenderer {
+ public:
+  // Throws std::runtime_error if the GPU, or Mesa in its place, cannot be had;
+  // std::invalid_argument for bad settings.
+  FrameRenderer(scene::Scene scene, const RendererSettings& settings);
+  ~FrameRenderer();
+
+  // Throws codec::JpegError if the camera image cannot be used. buffers: filled if given.
+  FrameOutput render(ViewState& view, const FrameInput& input, FrameBuffers* buffers = nullptr);
+
+  const scene::Scene& scene() const;
+  // The last frame's graph in Graphviz's language.
+  const std::string& last_graph() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace amalgam::frame

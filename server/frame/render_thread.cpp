@@ -1,0 +1,142 @@
+#include "frame/render_thread.h"
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+
+#include "codec/jpeg.h"
+#include "core/log.h"
+#include "frame/frame_renderer.h"
+#include "frame/view_state.h"
+#include "scene/gltf_loader.h"
+
+namespace amalgam::frame {
+namespace {
+
+FrameService::MarkerSet marker_set(const scene::Scene& scene) {
+  FrameService::MarkerSet markers{.dictionary = scene.world.dictionary,
+                                  .marker_length = scene.world.marker_length,
+                                  .world_marker = scene.world.marker,
+                                  .ids = {scene.world.marker}};
+  std::set<int> bound;
+  for (const scene::Instance& instance : scene.instances) {
+    if (instance.marker && *instance.marker != scene.world.marker) bound.insert(*instance.marker);
+  }
+  markers.ids.insert(markers.ids.end(), bound.begin(), bound.end());
+  return markers;
+}
+
+}  // namespace
+
+struct RenderThread::View {
+  View(const ViewOptions& options, Deliver deliver_to)
+      : state(options), deliver(std::move(deliver_to)) {}
+
+  struct Waiting {
+    std::uint64_t frame_id = 0;
+    FrameInput input;
+  };
+
+  ViewState state;  // used by the render thread only
+  core::Mailbox<Waiting> mailbox;
+  bool has_work = false;  // under RenderThread::mutex_
+  std::mutex delivering;
+  bool closed = false;  // under delivering
+  Deliver deliver;
+};
+
+RenderThread::RenderThread(const std::string& scene_path, const RenderServiceOptions& options) {
+  std::promise<MarkerSet> started;
+  auto ready = started.get_future();
+  thread_ = std::jthread([this, &scene_path, &options, &started](std::stop_token stop) {
+    run(std::move(stop), scene_path, options, started);
+  });
+  markers_ = ready.get();
+}
+
+RenderThread::~RenderThread() = default;
+
+ViewId RenderThread::open_view(const ViewOptions& options, Deliver deliver) {
+  auto view = std::make_shared<View>(options, std::move(deliver));
+  const std::lock_guard lock(mutex_);
+  views_.emplace(++last_id_, std::move(view));
+  return last_id_;
+}
+
+bool RenderThread::submit(ViewId id, std::uint64_t frame_id, FrameInput input) {
+  std::optional<View::Waiting> replaced;  // freed after the lock
+  {
+    const std::lock_guard lock(mutex_);
+    const auto found = views_.find(id);
+    if (found == views_.end()) return false;
+    replaced = found->second->mailbox.put({frame_id, std::move(input)});
+    found->second->has_work = true;
+  }
+  work_.notify_one();
+  return replaced.has_value();
+}
+
+void RenderThread::close_view(ViewId id) {
+  std::shared_ptr<View> view;
+  {
+    const std::lock_guard lock(mutex_);
+    const auto found = views_.find(id);
+    if (found == views_.end()) return;
+    view = std::move(found->second);
+    views_.erase(found);
+  }
+  const std::lock_guard lock(view->delivering);
+  view->closed = true;
+}
+
+void RenderThread::run(std::stop_token stop, const std::string& scene_path,
+                       const RenderServiceOptions& options, std::promise<MarkerSet>& started) {
+  std::optional<FrameRenderer> renderer;
+  try {
+    renderer.emplace(scene::load_scene(scene_path), options.renderer);
+    started.set_value(marker_set(renderer->scene()));
+  } catch (...) {
+    started.set_exception(std::current_exception());
+    return;
+  }
+  // From here on neither the options nor the promise may be touched: the constructor has returned.
+  while (const auto view = wait_for_work(stop)) serve(*renderer, *view);
+}
+
+std::shared_ptr<RenderThread::View> RenderThread::wait_for_work(std::stop_token stop) {
+  std::unique_lock lock(mutex_);
+  const auto next_view = [&] {
+    const auto has_work = [](const auto& entry) { return entry.second->has_work; };
+    const auto after = std::find_if(views_.upper_bound(last_served_), views_.end(), has_work);
+    return after != views_.end() ? after : std::find_if(views_.begin(), views_.end(), has_work);
+  };
+  work_.wait(lock, stop, [&] { return next_view() != views_.end(); });
+  if (stop.stop_requested()) return nullptr;
+  const auto next = next_view();
+  next->second->has_work = false;
+  last_served_ = next->first;
+  return next->second;
+}
+
+void RenderThread::serve(FrameRenderer& renderer, View& view) {
+  auto waiting = view.mailbox.take();
+  if (!waiting) return;
+  FrameResult result;
+  try {
+    result = renderer.render(view.state, waiting->input);
+  } catch (const codec::JpegError& error) {
+    result = FrameFailure{FrameFailure::Kind::BadImage, error.what()};
+  } catch (const std::exception& error) {
+    core::log_error("frame " + std::to_string(waiting->frame_id) + " failed: " + error.what());
+    result = FrameFailure{FrameFailure::Kind::Internal, error.what()};
+  }
+  const std::lock_guard lock(view.delivering);
+  if (!view.closed) view.deliver(waiting->frame_id, std::move(result));
+}
+
+std::unique_ptr<FrameService> make_render_service(const std::string& scene_path,
+                                                  const RenderServiceOptions& options) {
+  return std::make_unique<RenderThread>(scene_path, options);
+}
+
+}  // namespace amalgam::frame

@@ -1,0 +1,60 @@
+// The one thread that renders: it owns the renderer (and with it the OpenGL context) and serves all
+// views in turn.
+#pragma once
+
+#include <condition_variable>
+#include <future>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "core/mailbox.h"
+#include "frame/frame.h"
+#include "frame/renderer_settings.h"
+
+namespace amalgam::frame {
+
+class FrameRenderer;
+struct ViewState;
+
+struct RenderServiceOptions {
+  RendererSettings renderer;
+};
+
+class RenderThread : public FrameService {
+ public:
+  // Loads the scene and starts the renderer; returns when it is ready. Throws what loading or
+  // starting throws.
+  RenderThread(const std::string& scene_path, const RenderServiceOptions& options);
+  // Finishes the frame in flight; waiting frames are dropped.
+  ~RenderThread() override;
+
+  ViewId open_view(const ViewOptions& options, Deliver deliver) override;
+  bool submit(ViewId view, std::uint64_t frame_id, FrameInput input) override;
+  void close_view(ViewId view) override;
+  MarkerSet markers() const override { return markers_; }
+
+ private:
+  struct View;
+
+  void run(std::stop_token stop, const std::string& scene_path, const RenderServiceOptions& options,
+           std::promise<MarkerSet>& started);
+  // The next view in turn that has a frame waiting; null when asked to stop.
+  std::shared_ptr<View> wait_for_work(std::stop_token stop);
+  static void serve(FrameRenderer& renderer, View& view);
+
+  mutable std::mutex mutex_;
+  std::condition_variable_any work_;
+  std::map<ViewId, std::shared_ptr<View>> views_;  // under mutex_
+  ViewId last_id_ = 0;                             // under mutex_
+  ViewId last_served_ = 0;                         // under mutex_
+  MarkerSet markers_;
+  std::jthread thread_;  // last: everything else must outlive it
+};
+
+std::unique_ptr<FrameService> make_render_service(const std::string& scene_path,
+                                                  const RenderServiceOptions& options);
+
+}  // namespace amalgam::frame

@@ -1,0 +1,35 @@
+// All knobs of the renderer that an operator may turn, with their defaults.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "scene/env_lights.h"
+#include "trace/tracer.h"
+
+namespace amalgam::frame {
+
+enum class RendererMode {
+  Hybrid,    // rasterise diffuse surfaces, trace specular ones: the method
+  Raytrace,  // trace every pixel; needs no OpenGL
+  Raster,    // specular objects are left out
+  Diffuse,   // specular objects are painted diffuse (Table 6.1, note 3)
+};
+
+// Throws std::invalid_argument naming the choices.
+RendererMode parse_renderer_mode(std::string_view text);
+
+struct RendererSettings {
+  RendererMode mode = RendererMode::Hybrid;
+  int samples_per_pixel = 1;  // 1, 4, 9 or 16
+  trace::TraceSettings trace;
+  scene::EnvLightOptions env_lights;
+  std::optional<float> exposure;  // none: metered on the real surfaces in view
+  int threads = 0;                // for tracing; 0: all cores
+  int jpeg_quality = 90;          // 1..100, where a client wants the default
+};
+
+// Throws std::invalid_argument for what cannot be rendered with.
+void check_settings(const RendererSettings& settings);
+
+}  // namespace amalgam::frame
