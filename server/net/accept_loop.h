@@ -1,0 +1,36 @@
+// Accepts connections on one address for as long as it is open, and does not spin when the process
+// runs out of descriptors.
+#pragma once
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <functional>
+
+#include "net/server_config.h"
+
+namespace amalgam::net {
+
+class AcceptLoop {
+ public:
+  using OnAccept = std::function<void(boost::asio::ip::tcp::socket)>;
+
+  // Takes the address, so that a port in use is an exception at start-up, but does not listen yet.
+  AcceptLoop(boost::asio::io_context& io, const HostPort& address, OnAccept on_accept);
+
+  // Throws std::runtime_error. From here on connections queue up; start() accepts them.
+  void listen();
+  void start() { accept(); }
+  void close();
+  HostPort address() const;  // with the port that port 0 became
+
+ private:
+  void accept();
+  void on_accept(const boost::system::error_code& ec, boost::asio::ip::tcp::socket socket);
+
+  boost::asio::ip::tcp::acceptor acceptor_;
+  boost::asio::steady_timer pause_;
+  OnAccept on_accept_;
+};
+
+}  // namespace amalgam::net

@@ -1,0 +1,44 @@
+// The operator's window: an HTTP server of its own port with /livez, /readyz, /metrics and /state.
+// Runs on the network thread, so that an answer proves that this thread turns.
+#pragma once
+
+#include <boost/asio/io_context.hpp>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "net/accept_loop.h"
+#include "net/server_config.h"
+
+namespace amalgam::net {
+
+// What the pages say; called for each request.
+struct AdminPages {
+  std::function<std::string()> not_ready;  // why; empty: ready
+  std::function<std::string()> metrics;    // Prometheus' text format
+  std::function<std::string()> state;      // JSON
+};
+
+class Admin {
+ public:
+  Admin(boost::asio::io_context& io, const HostPort& address, std::size_t max_connections,
+        AdminPages pages);
+
+  void start();
+  void close() { accept_loop_.close(); }
+  HostPort address() const { return accept_loop_.address(); }
+
+ private:
+  class Connection;
+  // Connections may outlive this by a moment, as the last handlers of the io_context.
+  struct Shared {
+    AdminPages pages;
+    std::size_t connections = 0;
+  };
+  std::shared_ptr<Shared> shared_;
+  std::size_t max_connections_;
+  AcceptLoop accept_loop_;
+};
+
+}  // namespace amalgam::net

@@ -1,0 +1,50 @@
+// Every time-out of one session, apart from sockets and clocks: told what happened and when, it
+// says when to look again and which time-out has passed.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <optional>
+
+#include "net/server_config.h"
+
+namespace amalgam::net {
+
+class Deadlines {
+ public:
+  using Time = std::chrono::steady_clock::time_point;
+  enum class Passed { Hello, SlowSender, SlowReader, Idle };
+
+  Deadlines(const SessionLimits& limits, Time now)
+      : limits_(limits), connected_(now), heard_(now) {}
+
+  // The hello was accepted: from now on the client is pinged and must be heard.
+  void authenticated(Time now);
+  void received_message(Time now);
+  // After each read: so many bytes of the next message are here (0: it has not begun).
+  void received_part(std::size_t bytes, Time now);
+  void write_begun(Time now) { write_begun_ = now; }
+  void write_ended() { write_begun_.reset(); }
+
+  std::optional<Passed> passed(Time now) const;
+
+  // True once for each interval that has gone by; the caller pings.
+  bool ping_due(Time now);
+
+  // When to call passed() and ping_due() again, at the latest.
+  Time next() const;
+
+ private:
+  bool too_slow(Time now) const;
+
+  SessionLimits limits_;
+  Time connected_;
+  bool authenticated_ = false;
+  Time heard_;
+  Time pinged_{};
+  std::optional<Time> message_begun_;
+  std::size_t message_bytes_ = 0;
+  std::optional<Time> write_begun_;
+};
+
+}  // namespace amalgam::net

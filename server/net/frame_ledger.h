@@ -1,0 +1,51 @@
+// Which of a session's frames the renderer has, and what became of all others: every frame that was
+// received is answered, in the renderer's hands, or counted as skipped with a reason.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "core/pose.h"
+#include "net/metrics.h"
+
+namespace amalgam::net {
+
+class FrameLedger {
+ public:
+  explicit FrameLedger(Metrics& metrics) : metrics_(metrics) {}
+
+  struct Entry {
+    std::uint64_t number = 0;  // ours, since nobody checks the client's
+    std::uint64_t frame_id = 0;
+    std::uint64_t capture_time_us = 0;
+    std::vector<core::MarkerPose> poses;  // rendered with
+    std::chrono::steady_clock::time_point arrival;
+  };
+
+  // Returns the frame's number, counted from 1.
+  std::uint64_t receive(std::size_t message_bytes);
+  // The renderer has it; `replaced`: and threw away the one that waited.
+  void submit(Entry entry, bool replaced);
+  // The renderer is done with it. Nothing if the frame has been abandoned.
+  std::optional<Entry> deliver(std::uint64_t number);
+  void sent(std::size_t message_bytes);
+  void skip(Skip reason, std::size_t count = 1);
+  // The renderer is left: what it has will never come back.
+  void abandon();
+
+  std::size_t in_flight() const { return entries_.size(); }
+  std::uint64_t received_count() const { return received_; }
+  std::uint64_t sent_count() const { return sent_; }
+  std::uint64_t skipped_count() const { return skipped_; }
+
+ private:
+  Metrics& metrics_;
+  std::deque<Entry> entries_;  // one that renders, one that waits, and results on their way here
+  std::uint64_t received_ = 0, sent_ = 0, skipped_ = 0;
+};
+
+}  // namespace amalgam::net

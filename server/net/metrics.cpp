@@ -1,0 +1,153 @@
+#include "net/metrics.h"
+
+#include <prometheus/counter.h>
+#include <prometheus/gauge.h>
+#include <prometheus/histogram.h>
+#include <prometheus/registry.h>
+#include <prometheus/text_serializer.h>
+
+namespace amalgam::net {
+namespace {
+
+using prometheus::Counter;
+using prometheus::Family;
+using prometheus::Gauge;
+using prometheus::Histogram;
+
+// From well below a display's frame to where a viewer gives up, seconds.
+const Histogram::BucketBoundaries kSeconds{0.0005, 0.001, 0.002, 0.004, 0.008, 0.016, 0.033,
+                                           0.066,  0.125, 0.25,  0.5,   1.0,   2.0,   5.0};
+const Histogram::BucketBoundaries kFractions{0.0, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0};
+
+const char* to_string(Skip reason) {
+  switch (reason) {
+    case Skip::ReplacedBeforeRender:
+      return "replaced_before_render";
+    case Skip::ReplacedBeforeWrite:
+      return "replaced_before_write";
+    case Skip::Refused:
+      return "refused";
+    case Skip::Draining:
+      return "draining";
+    case Skip::Closed:
+      return "closed";
+  }
+  return "";
+}
+
+}  // namespace
+
+struct Metrics::Families {
+  prometheus::Registry registry;
+
+  Family<Counter>& counter(const std::string& name, const std::string& help) {
+    return prometheus::BuildCounter().Name(name).Help(help).Register(registry);
+  }
+  Family<Histogram>& histogram(const std::string& name, const std::string& help) {
+    return prometheus::BuildHistogram().Name(name).Help(help).Register(registry);
+  }
+
+  Family<Histogram>& stages =
+      histogram("amalgam_stage_seconds", "Time of one stage of a frame, by stage");
+  Histogram& server_time =
+      histogram("amalgam_frame_seconds", "From a frame's last byte to its composite, with waiting")
+          .Add({}, kSeconds);
+  Histogram& coverage =
+      histogram("amalgam_mask_coverage_ratio", "Part of the pixels that something virtual covers")
+          .Add({}, kFractions);
+  Counter& frames_in = counter("amalgam_frames_received_total", "Camera frames received").Add({});
+  Counter& frames_out = counter("amalgam_frames_sent_total", "Composites written").Add({});
+  Family<Counter>& skipped =
+      counter("amalgam_frames_skipped_total", "Frames never answered by a composite, by reason");
+  Counter& unchanged =
+      counter("amalgam_frames_unchanged_total", "Frames on which nothing virtual had an effect")
+          .Add({});
+  Counter& bytes_in =
+      counter("amalgam_frame_bytes_received_total", "Bytes of camera frame messages").Add({});
+  Counter& bytes_out =
+      counter("amalgam_composite_bytes_sent_total", "Bytes of composite messages").Add({});
+  Gauge& sessions = prometheus::BuildGauge()
+                        .Name("amalgam_sessions")
+                        .Help("Sessions past their hello")
+                        .Register(registry)
+                        .Add({});
+  Family<Counter>& refusals =
+      counter("amalgam_refusals_total", "Connections and sessions refused, by reason");
+  Family<Counter>& errors = counter("amalgam_errors_total", "Errors told to clients, by code");
+  Counter& clamped =
+      counter("amalgam_capture_times_clamped_total", "Capture times backwards or far ahead")
+          .Add({});
+  Counter& bad_poses =
+      counter("amalgam_poses_rejected_total", "Poses that could not be rendered with").Add({});
+  Family<Counter>& rays = counter("amalgam_rays_total", "Rays traced, by kind");
+  Family<Counter>& passes = counter("amalgam_passes_run_total", "Passes run, by pass");
+  Counter& nonfinite =
+      counter("amalgam_nonfinite_total", "Values that a stage had to replace by 0").Add({});
+};
+
+Metrics::Metrics() : families_(std::make_unique<Families>()) {}
+Metrics::~Metrics() = default;
+
+void Metrics::session_opened() {
+  families_->sessions.Increment();
+}
+void Metrics::session_closed() {
+  families_->sessions.Decrement();
+}
+void Metrics::refused(const std::string& reason) {
+  families_->refusals.Add({{"reason", reason}}).Increment();
+}
+void Metrics::error_sent(protocol::Error::Code code) {
+  families_->errors.Add({{"code", protocol::Error::Code_Name(code)}}).Increment();
+}
+void Metrics::capture_time_clamped() {
+  families_->clamped.Increment();
+}
+void Metrics::pose_held_or_dropped(std::size_t count) {
+  families_->bad_poses.Increment(static_cast<double>(count));
+}
+
+void Metrics::frame_received(std::size_t message_bytes) {
+  families_->frames_in.Increment();
+  families_->bytes_in.Increment(static_cast<double>(message_bytes));
+}
+
+void Metrics::frame_skipped(Skip reason, std::size_t count) {
+  families_->skipped.Add({{"reason", to_string(reason)}}).Increment(static_cast<double>(count));
+}
+
+void Metrics::frame_rendered(const frame::FrameOutput& output, double server_ms) {
+  const frame::FrameStatistics& statistics = output.statistics;
+  for (const core::StageTime& time : statistics.stages) {
+    families_->stages.Add({{"stage", time.stage}}, kSeconds).Observe(time.milliseconds / 1000.0);
+  }
+  families_->server_time.Observe(server_ms / 1000.0);
+  if (statistics.pixels.total > 0) {
+    families_->coverage.Observe(static_cast<double>(statistics.pixels.virtual_pixels) /
+                                static_cast<double>(statistics.pixels.total));
+  }
+  if (output.unchanged) families_->unchanged.Increment();
+  const auto count_rays = [&](const char* kind, std::uint64_t count) {
+    families_->rays.Add({{"kind", kind}}).Increment(static_cast<double>(count));
+  };
+  count_rays("primary", statistics.rays.primary);
+  count_rays("reflection", statistics.rays.reflection);
+  count_rays("refraction", statistics.rays.refraction);
+  count_rays("shadow", statistics.rays.shadow);
+  count_rays("lookup", statistics.rays.lookup);
+  for (const frame::PassRecord& pass : statistics.passes) {
+    if (pass.ran) families_->passes.Add({{"pass", pass.name}}).Increment();
+  }
+  families_->nonfinite.Increment(static_cast<double>(statistics.nonfinite));
+}
+
+void Metrics::composite_sent(std::size_t message_bytes) {
+  families_->frames_out.Increment();
+  families_->bytes_out.Increment(static_cast<double>(message_bytes));
+}
+
+std::string Metrics::text() const {
+  return prometheus::TextSerializer().Serialize(families_->registry.Collect());
+}
+
+}  // namespace amalgam::net

@@ -1,0 +1,54 @@
+// What an operator may set for the network side: where to listen, the token, and every limit that
+// is not part of the message format. Defaults are those of protocol/limits.h, which gives the
+// reasons.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "protocol/limits.h"
+
+namespace amalgam::net {
+
+struct HostPort {
+  std::string host;  // a numeric IPv4 or IPv6 address
+  std::uint16_t port = 0;
+  bool operator==(const HostPort&) const = default;
+};
+
+// "127.0.0.1:7447" or "[::1]:7447". Throws std::invalid_argument for anything else.
+HostPort parse_host_port(std::string_view text);
+std::string to_string(const HostPort& address);
+
+struct SessionLimits {
+  std::chrono::milliseconds hello_timeout = protocol::kHelloTimeout;
+  std::chrono::milliseconds message_timeout = protocol::kMessageTimeout;
+  std::chrono::milliseconds rate_grace = protocol::kRateGrace;
+  std::size_t min_bytes_per_second = protocol::kMinBytesPerSecond;
+  std::chrono::milliseconds ping_interval = protocol::kPingInterval;
+  std::chrono::milliseconds idle_timeout = protocol::kIdleTimeout;
+  std::chrono::milliseconds write_timeout = protocol::kWriteTimeout;
+  std::chrono::milliseconds linger = protocol::kLinger;
+  std::chrono::milliseconds pose_hold = protocol::kPoseHold;
+};
+
+struct ConnectionCaps {
+  std::size_t total = protocol::kMaxConnections;
+  std::size_t unauthenticated = protocol::kMaxUnauthenticated;
+  std::size_t per_address = protocol::kMaxPerAddress;
+  std::size_t admin = protocol::kMaxAdminConnections;
+};
+
+struct ServerConfig {
+  HostPort listen{"127.0.0.1", 7447};
+  HostPort admin{"127.0.0.1", 7448};
+  std::string token;  // a secret: never logged; empty: clients need none
+  SessionLimits session;
+  ConnectionCaps connections;
+  std::chrono::milliseconds drain_timeout = protocol::kDrainTimeout;
+};
+
+}  // namespace amalgam::net

@@ -1,0 +1,398 @@
+#include "net/session.h"
+
+#include <boost/asio/buffer.hpp>
+#include <boost/asio/error.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/write.hpp>
+#include <utility>
+
+#include "core/log.h"
+#include "net/tcp_options.h"
+#include "net/token.h"
+#include "net/wire.h"
+#include "protocol/limits.h"
+
+namespace amalgam::net {
+namespace {
+
+namespace asio = boost::asio;
+using protocol::Envelope;
+using protocol::Error;
+
+}  // namespace
+
+Session::Session(asio::ip::tcp::socket socket, ConnectionLimits::Ticket ticket, std::uint64_t id,
+                 SessionContext& context)
+    : socket_(std::move(socket)),
+      timer_(socket_.get_executor()),
+      ticket_(std::move(ticket)),
+      id_(id),
+      peer_(peer_of(socket_)),
+      context_(context),
+      deadlines_(context.config.session, Clock::now()),
+      read_buffer_(protocol::kMaxBeforeHelloBytes),
+      decoder_(protocol::limits_before_hello()),
+      slot_(protocol::kMaxQueuedControl),
+      pose_memory_(context.config.session.pose_hold),
+      ledger_(context.metrics) {}
+
+Session::~Session() {
+  leave_renderer();
+}
+
+void Session::start() {
+  set_tcp_options(socket_, context_.config.session.idle_timeout);
+  wait();
+  read();
+}
+
+// --- reading ---
+
+void Session::read() {
+  socket_.async_read_some(asio::buffer(read_buffer_),
+                          [self = shared_from_this()](const ErrorCode& ec, std::size_t size) {
+                            self->guarded([&] { self->on_read(ec, size); });
+                          });
+}
+
+void Session::on_read(const ErrorCode& ec, std::size_t size) {
+  if (state_ == State::Ended) return;
+  if (ec) return lost(ec, "read");
+  // While closing, what still arrives is thrown away: unread bytes would make the kernel reset the
+  // connection, and the client would never see the Error that tells it why.
+  if (is_open()) take(std::span(read_buffer_).first(size));
+  if (state_ != State::Ended) read();
+}
+
+void Session::take(std::span<const std::byte> input) {
+  while (is_open()) {
+    const protocol::Decoder::Result result = decoder_.next(input);
+    if (std::holds_alternative<protocol::Decoder::NeedMore>(result)) break;
+    if (const auto* failure = std::get_if<protocol::Decoder::Failure>(&result)) {
+      return fail(Error::PROTOCOL_ERROR, failure->what);
+    }
+    deadlines_.received_message(Clock::now());
+    guarded([&] { visit(std::get<Envelope>(result)); });
+  }
+  deadlines_.received_part(decoder_.bytes_of_unfinished(), Clock::now());
+}
+
+// --- what the client says ---
+
+void Session::visit(const Envelope& envelope) {
+  const Envelope::BodyCase body = envelope.body_case();
+  if (state_ == State::AwaitingHello && body != Envelope::kHello &&
+      body != Envelope::BODY_NOT_SET) {
+    throw ClientError(Error::UNEXPECTED_MESSAGE, "a message before the hello");
+  }
+  switch (body) {
+    case Envelope::kHello:
+      return on_hello(envelope.hello());
+    case Envelope::kCameraFrame:
+      return on_camera_frame(envelope.camera_frame());
+    case Envelope::kEnvironment:
+      throw ClientError(Error::UNSUPPORTED, "environment images from clients");
+    case Envelope::kPing:
+      return on_ping(envelope.ping());
+    case Envelope::kPong:
+      return;  // being heard is all that it is for
+    case Envelope::kGoodbye:
+      return close(context_.config.session.linger);
+    case Envelope::kWelcome:
+    case Envelope::kComposite:
+    case Envelope::kBusy:
+    case Envelope::kError:
+    case Envelope::kDraining:
+      throw ClientError(Error::UNEXPECTED_MESSAGE, "a message that only servers send");
+    case Envelope::BODY_NOT_SET:
+      throw ClientError(Error::UNKNOWN_MESSAGE, "a message of no known kind");
+  }
+}
+
+void Session::on_hello(const protocol::Hello& hello) {
+  if (state_ != State::AwaitingHello) {
+    throw ClientError(Error::UNEXPECTED_MESSAGE, "a second hello");
+  }
+  if (hello.version() != protocol::kProtocolVersion) {
+    throw ClientError(Error::UNSUPPORTED_VERSION, "version " + std::to_string(hello.version()) +
+                                                      "; this server speaks " +
+                                                      std::to_string(protocol::kProtocolVersion));
+  }
+  const std::string& token = context_.config.token;
+  if (!token.empty() && !tokens_equal(hello.token(), token)) {
+    throw ClientError(Error::AUTH_FAILED, "the token is wrong");
+  }
+  const frame::ViewOptions options = view_options_from(hello);
+  view_ = context_.service.open_view(
+      options, [executor = socket_.get_executor(), weak = weak_from_this()](
+                   std::uint64_t number, frame::FrameResult result) {
+        asio::post(executor, [weak, number, result = std::move(result)]() mutable {
+          const auto self = weak.lock();
+          if (self) self->guarded([&] { self->on_rendered(number, std::move(result)); });
+        });
+      });
+  camera_ = options.camera;
+  state_ = State::Running;
+  ticket_->authenticated();
+  context_.metrics.session_opened();
+  decoder_.set_limits(protocol::limits_of_server());
+  deadlines_.authenticated(Clock::now());
+  wait();
+  send(welcome_message(id_, context_.config.session, context_.service.markers()));
+  core::log_info(name() + ": " + std::to_string(camera_.width) + " x " +
+                 std::to_string(camera_.height));
+}
+
+void Session::on_camera_frame(const protocol::CameraFrame& frame) {
+  FrameLedger::Entry entry;
+  entry.number = ledger_.receive(frame.ByteSizeLong());
+  entry.frame_id = frame.frame_id();
+  entry.arrival = Clock::now();
+  if (state_ == State::Draining) return ledger_.skip(Skip::Draining);
+  if (frame.poses_size() > protocol::kMaxPoses) {
+    ledger_.skip(Skip::Refused);
+    throw ClientError(Error::TOO_MANY_POSES,
+                      std::to_string(frame.poses_size()) + " poses; at most " +
+                          std::to_string(protocol::kMaxPoses) + " are accepted",
+                      frame.frame_id());
+  }
+  const CaptureClock::Judged capture = capture_clock_.judge(frame.capture_time_us(), entry.arrival);
+  if (capture.clamped) context_.metrics.capture_time_clamped();
+  entry.capture_time_us = capture.time_us;
+  entry.poses = usable_poses(frame);
+
+  const bool replaced = context_.service.submit(
+      *view_, entry.number, {.image = bytes_from(frame.jpeg()), .poses = entry.poses});
+  ledger_.submit(std::move(entry), replaced);
+}
+
+std::vector<core::MarkerPose> Session::usable_poses(const protocol::CameraFrame& frame) {
+  PoseMemory::Resolved resolved = pose_memory_.resolve(poses_from(frame), Clock::now());
+  if (!resolved.rejected.empty()) {
+    context_.metrics.pose_held_or_dropped(resolved.rejected.size());
+    std::string markers;
+    for (const int marker : resolved.rejected) markers += " " + std::to_string(marker);
+    answer(ClientError(
+        Error::POSE_REJECTED,
+        "poses that are not finite, not of unit length or too far, of markers" + markers,
+        frame.frame_id()));
+  }
+  return std::move(resolved.poses);
+}
+
+void Session::on_ping(const protocol::Ping& ping) {
+  Envelope envelope;
+  envelope.mutable_pong()->set_nonce(ping.nonce());
+  send(envelope);
+}
+
+// --- what the renderer says ---
+
+void Session::on_rendered(std::uint64_t number, frame::FrameResult result) {
+  const std::optional<FrameLedger::Entry> frame = ledger_.deliver(number);
+  if (!frame) return;
+  if (const auto* output = std::get_if<frame::FrameOutput>(&result)) {
+    send_composite(*frame, *output);
+    return close_if_drained();
+  }
+  ledger_.skip(Skip::Refused);
+  const auto& failure = std::get<frame::FrameFailure>(result);
+  switch (failure.kind) {
+    case frame::FrameFailure::Kind::BadImage:
+      answer(ClientError(Error::BAD_IMAGE, failure.what, frame->frame_id));
+      return close_if_drained();
+    case frame::FrameFailure::Kind::Internal:
+      // What went wrong inside is the operator's to read, not a stranger's.
+      core::log_error(name() + ": frame " + std::to_string(frame->frame_id) + ": " + failure.what);
+      return answer(
+          ClientError(Error::INTERNAL, "the frame could not be rendered", frame->frame_id));
+  }
+}
+
+void Session::send_composite(const FrameLedger::Entry& frame, const frame::FrameOutput& output) {
+  const std::chrono::duration<double, std::milli> server_time = Clock::now() - frame.arrival;
+  context_.metrics.frame_rendered(output, server_time.count());
+  protocol::Composite composite = composite_from(output);
+  composite.set_frame_id(frame.frame_id);
+  composite.set_capture_time_us(frame.capture_time_us);
+  composite.set_server_ms(server_time.count());
+  for (const core::MarkerPose& pose : frame.poses) *composite.add_poses() = pose_to_wire(pose);
+  if (slot_.put_composite(std::move(composite))) ledger_.skip(Skip::ReplacedBeforeWrite);
+  write();
+}
+
+// --- writing ---
+
+void Session::send(const Envelope& message) {
+  // A peer that does not read its answers loses some; the write time-out ends it if that goes on.
+  if (!slot_.put_control(message)) core::log_debug(name() + ": an answer was dropped");
+  write();
+}
+
+void Session::write() {
+  std::optional<std::string> bytes = slot_.begin_write(ledger_.skipped_count());
+  if (!bytes) return;
+  writing_ = std::move(*bytes);
+  deadlines_.write_begun(Clock::now());
+  asio::async_write(socket_, asio::buffer(writing_),
+                    [self = shared_from_this()](const ErrorCode& ec, std::size_t size) {
+                      self->guarded([&] { self->on_written(ec, size); });
+                    });
+}
+
+void Session::on_written(const ErrorCode& ec, std::size_t size) {
+  if (state_ == State::Ended) return;
+  if (ec) return lost(ec, "write");
+  if (slot_.writing_composite()) ledger_.sent(size);
+  slot_.end_write();
+  deadlines_.write_ended();
+  write();
+  if (state_ == State::Closing) finish_sending();
+  close_if_drained();
+}
+
+// --- time ---
+
+void Session::wait() {
+  // Setting a new time cancels the wait that is under way.
+  timer_.expires_at(state_ == State::Closing ? linger_end_ : deadlines_.next());
+  timer_.async_wait([self = shared_from_this()](const ErrorCode& ec) {
+    self->guarded([&] { self->on_time(ec); });
+  });
+}
+
+void Session::on_time(const ErrorCode& ec) {
+  if (ec || state_ == State::Ended) return;
+  const Clock::time_point now = Clock::now();
+  if (state_ == State::Closing) {
+    if (now >= linger_end_) return end();
+    return wait();
+  }
+  if (const auto passed = deadlines_.passed(now)) return on_passed(*passed);
+  if (deadlines_.ping_due(now)) {
+    Envelope envelope;
+    envelope.mutable_ping()->set_nonce(++pings_);
+    send(envelope);
+  }
+  wait();
+}
+
+void Session::on_passed(Deadlines::Passed passed) {
+  switch (passed) {
+    case Deadlines::Passed::Hello:
+      return fail(Error::AUTH_TIMEOUT, "no complete hello in time");
+    case Deadlines::Passed::SlowSender:
+      return fail(Error::SLOW_SENDER, "a message came too slowly");
+    case Deadlines::Passed::SlowReader:
+      // Nothing can be said to somebody who does not read.
+      context_.metrics.error_sent(Error::SLOW_READER);
+      core::log_info(name() + ": evicted, it does not read");
+      return end();
+    case Deadlines::Passed::Idle:
+      fail(Error::IDLE_TIMEOUT, "nothing was heard, not even a pong");
+      // Its error is on the way or will never be; a peer that is gone need not be waited for.
+      return end();
+  }
+}
+
+// --- errors and ends ---
+
+// The one place where what is thrown in a session is caught: bad input is answered, anything else
+// ends this session and no other.
+template <typename Step>
+void Session::guarded(Step step) {
+  try {
+    step();
+  } catch (const ClientError& error) {
+    answer(error);
+  } catch (const std::exception& error) {
+    core::log_error(name() + ": " + error.what());
+    end();
+  }
+}
+
+void Session::answer(const ClientError& error) {
+  const bool closes = !is_survivable(error.code);
+  context_.metrics.error_sent(error.code);
+  const std::string line = name() + ": " + Error::Code_Name(error.code) + ": " + error.what();
+  closes ? core::log_info(line) : core::log_debug(line);
+  if (closes) slot_.drop_control();
+  send(error_message(error));
+  if (closes) close(context_.config.session.linger);
+}
+
+void Session::lost(const ErrorCode& ec, const char* what) {
+  if (state_ != State::Closing) core::log_info(name() + ": " + what + ": " + ec.message());
+  end();
+}
+
+// Writes what is queued, then waits for the client to close, but not for ever.
+void Session::close(std::chrono::milliseconds linger) {
+  if (state_ == State::Closing || state_ == State::Ended) return;
+  if (slot_.drop_composite()) ledger_.skip(Skip::Closed);
+  leave_renderer();
+  state_ = State::Closing;
+  linger_end_ = Clock::now() + linger;
+  wait();
+  finish_sending();
+}
+
+void Session::finish_sending() {
+  ErrorCode ignored;
+  if (slot_.empty()) socket_.shutdown(asio::ip::tcp::socket::shutdown_send, ignored);
+}
+
+void Session::drain(std::chrono::milliseconds deadline) {
+  if (state_ != State::AwaitingHello && state_ != State::Running) return;
+  Envelope envelope;
+  envelope.mutable_draining()->set_deadline_ms(static_cast<std::uint32_t>(deadline.count()));
+  send(envelope);
+  if (state_ == State::AwaitingHello) return close(context_.config.session.linger);
+  state_ = State::Draining;
+  close_if_drained();
+}
+
+void Session::close_if_drained() {
+  if (state_ == State::Draining && ledger_.in_flight() == 0 && slot_.empty()) {
+    close(context_.config.session.linger);
+  }
+}
+
+void Session::end() {
+  if (std::exchange(state_, State::Ended) == State::Ended) return;
+  if (slot_.drop_composite()) ledger_.skip(Skip::Closed);
+  leave_renderer();
+  ErrorCode ignored;
+  socket_.close(ignored);
+  timer_.cancel();
+  ticket_.reset();
+  context_.on_end(id_);
+}
+
+void Session::leave_renderer() {
+  if (!view_) return;
+  context_.service.close_view(*std::exchange(view_, std::nullopt));
+  context_.metrics.session_closed();
+  ledger_.abandon();
+}
+
+std::string Session::name() const {
+  return "session " + std::to_string(id_) + " (" + peer_ + ")";
+}
+
+SessionReport Session::report() const {
+  constexpr const char* kNames[] = {"awaiting_hello", "running", "draining", "closing", "ended"};
+  SessionReport report;
+  report.id = id_;
+  report.peer = peer_;
+  report.state = kNames[static_cast<int>(state_)];
+  report.width = camera_.width;
+  report.height = camera_.height;
+  report.received = ledger_.received_count();
+  report.sent = ledger_.sent_count();
+  report.skipped = ledger_.skipped_count();
+  report.in_flight = ledger_.in_flight();
+  return report;
+}
+
+}  // namespace amalgam::net

@@ -1,0 +1,21 @@
+// The /state page: what the server is doing, as JSON for people and scripts. Holds no secret.
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "net/session.h"
+
+namespace amalgam::net {
+
+struct ServerReport {
+  std::string not_ready;  // why; empty: ready
+  std::chrono::seconds uptime{0};
+  std::size_t connections = 0;
+  std::vector<SessionReport> sessions;
+};
+
+std::string state_json(const ServerReport& report);
+
+}  // namespace amalgam::net
