@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <vector>
 
 #include "gl/buffer.h"
@@ -16,6 +17,7 @@ struct GpuMesh {
   VertexArray vertices;
   Buffer face_normals;        // unit geometric normals in mesh space, by gl_PrimitiveID
   glm::vec3 low{0}, high{0};  // bounds in mesh space, metres
+  bool has_uvs = false;
 };
 
 // What passes need to know of Scene::instances and their materials.
@@ -24,6 +26,7 @@ struct GpuInstanceInfo {
   std::uint32_t material = 0;
   scene::Role role = scene::Role::Virtual;
   scene::MaterialKind kind = scene::MaterialKind::Diffuse;
+  bool textured = false;  // the material has a texture and the mesh has uvs
 };
 
 // What shaders can do without, because the scene has none of it.
@@ -41,19 +44,22 @@ class GpuScene {
   const std::vector<GpuMesh>& meshes() const { return meshes_; }
   const std::vector<GpuInstanceInfo>& instances() const { return instances_; }
 
-  // Binds what drawing with this material needs: its base colour texture.
-  void bind_material(std::uint32_t material) const;
-  // Binds what all drawing needs: the table of materials and of sRGB's curve.
+  // Binds the tables that all drawing reads: materials and the sRGB curve.
   void bind_tables() const;
-  void draw_mesh(std::uint32_t mesh) const;
+  // Draws the mesh with its face normals and the material's texture bound.
+  void draw(std::uint32_t mesh, std::uint32_t material) const;
+
+  // One triangle that covers clip space, for passes from image to image.
+  void draw_screen() const;
 
  private:
   std::vector<GpuMesh> meshes_;
   std::vector<GpuInstanceInfo> instances_;
-  std::vector<Texture> textures_;  // the last one is white, for materials without
-  std::vector<std::uint32_t> texture_of_material_;
+  std::vector<Texture> textures_;  // RGBA8UI, sRGB-encoded as in the file
+  std::vector<std::optional<std::uint32_t>> texture_of_material_;
   Buffer materials_;
   Buffer srgb_table_;
+  VertexArray screen_;
 };
 
 }  // namespace amalgam::gl

@@ -8,6 +8,7 @@
 #include "gl/gpu_scene.h"
 #include "gl/shader_library.h"
 #include "gl/texture.h"
+#include "passes/frame_resources.h"
 
 namespace amalgam::passes {
 
@@ -27,6 +28,9 @@ struct RasterTargets {
 // Makes the texture, or makes it anew if its size is another one, and returns it.
 const gl::Texture& ensure_target(std::optional<gl::Texture>& target, gl::TextureFormat format,
                                  glm::ivec2 size);
+
+// Size of what is rendered, in samples.
+glm::ivec2 sample_size(const RenderView& view);
 
 // References must outlive the frame graph that passes are added to. All on the context's thread.
 struct RasterContext {

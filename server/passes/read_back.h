@@ -10,8 +10,8 @@ namespace amalgam::passes {
 core::ImageRgba32f read_rgba(DeviceImage image);
 
 // Every step-th texel in both directions: texel (x, y) of the result is texel
-// (x step + step / 2, y step + step / 2) of the image. Sides are rounded up to the next whole
-// block, whose texel is clamped to the image.
+// (x step + step / 2, y step + step / 2) of the image. Blocks that reach beyond the image are left
+// out.
 core::ImageRgba32f read_rgba_downsampled(DeviceImage image, int step);
 
 }  // namespace amalgam::passes

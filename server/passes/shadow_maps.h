@@ -11,7 +11,9 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 
+#include "gl/buffer.h"
 #include "graph/frame_graph.h"
 #include "passes/frame_resources.h"
 #include "passes/raster_context.h"
@@ -23,30 +25,33 @@ namespace amalgam::passes {
 enum class CasterClass : std::uint8_t { RealOpaque, VirtualOpaque, RealGlass, VirtualGlass };
 constexpr std::size_t kCasterClasses = 4;
 
-// A 2D array texture, a layer for each entry of the layout. Opaque casters: depth 32F, reversed.
+// A 2D array texture, one layer for each of the layout. Opaque casters: depth 32F, reversed.
 // Glass: RGBA32F, optical depth in RGB and the nearest glass's reversed depth in A.
 struct ShadowMap {
   DeviceImage image = nullptr;
 };
 
-// Where each light's layers are; on the GPU too (shader_interface.h: GpuLight, GpuShadowLayer).
+// The lights and where their layers are, on both sides of the bus.
 struct DeviceLights {
-  std::shared_ptr<const ShadowLayout> layout;
+  ShadowLayout layout;
+  gl::Buffer lights;  // shader_interface.h: GpuLight
+  gl::Buffer layers;  // GpuShadowLayer
+};
+using SharedLights = std::shared_ptr<const DeviceLights>;
+
+// What was drawn last, and from what. Owned by the caller, for one scene. Shadows do not depend on
+// the camera: views whose markers stand still with respect to each other may share one.
+struct ShadowCache {
+  struct Entry {
+    std::optional<gl::Texture> image;
+    SharedLights drawn_for;
+  };
+  std::array<Entry, kCasterClasses> entries;
+  SharedLights lights;
 };
 
 struct ShadowOptions {
   int size = 0;  // texels a side; 0: by the number of layers (2048 to 8, 1024 to 32, then 512)
-};
-
-// What was drawn last, and from what. Owned by the caller; may serve several views, since shadows
-// do not depend on the camera, but is worth most if it serves one.
-struct ShadowCache {
-  struct Entry {
-    std::optional<gl::Texture> image;
-    std::shared_ptr<const ShadowLayout> drawn_for;
-  };
-  std::array<Entry, kCasterClasses> entries;
-  std::shared_ptr<const ShadowLayout> layout;  // of the last frame
 };
 
 struct ShadowMapInputs {
@@ -57,11 +62,11 @@ struct ShadowMapInputs {
   ShadowOptions options{};
 };
 
-// A class without casters in this view is absent. A class whose map in the cache still holds is
-// imported, and the pass noted as left out ("nothing moved since the last frame").
+// A class without casters in this view is absent. What the cache still holds is imported, and noted
+// as left out ("nothing moved since the last frame").
 struct ShadowMapOutputs {
-  std::array<graph::Handle<ShadowMap>, kCasterClasses> maps;
-  graph::Handle<DeviceLights> lights;
+  std::array<graph::Handle<ShadowMap>, kCasterClasses> maps;  // by CasterClass
+  graph::Handle<SharedLights> lights;
 };
 
 ShadowMapOutputs add_shadow_maps_pass(graph::FrameGraph& graph, const ShadowMapInputs& in);

@@ -1,0 +1,168 @@
+#include "gl/egl_context.h"
+
+#include <epoxy/egl.h>
+#include <epoxy/gl.h>
+
+#include <array>
+#include <map>
+#include <mutex>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "core/log.h"
+#include "gl/gl_error.h"
+
+namespace amalgam::gl {
+namespace {
+
+std::string egl_error() {
+  static const std::map<EGLint, const char*> kNames = {
+      {EGL_SUCCESS, "no error given"},          {EGL_NOT_INITIALIZED, "EGL_NOT_INITIALIZED"},
+      {EGL_BAD_ACCESS, "EGL_BAD_ACCESS"},       {EGL_BAD_ALLOC, "EGL_BAD_ALLOC"},
+      {EGL_BAD_ATTRIBUTE, "EGL_BAD_ATTRIBUTE"}, {EGL_BAD_CONFIG, "EGL_BAD_CONFIG"},
+      {EGL_BAD_CONTEXT, "EGL_BAD_CONTEXT"},     {EGL_BAD_DISPLAY, "EGL_BAD_DISPLAY"},
+      {EGL_BAD_MATCH, "EGL_BAD_MATCH"},         {EGL_BAD_PARAMETER, "EGL_BAD_PARAMETER"}};
+  const EGLint error = eglGetError();
+  const auto name = kNames.find(error);
+  return name != kNames.end() ? name->second : "EGL error " + std::to_string(error);
+}
+
+struct Candidate {
+  std::string platform;
+  EGLDisplay display = EGL_NO_DISPLAY;
+};
+
+// In the order in which they are tried. Adds to `failures` what cannot even be asked for.
+std::vector<Candidate> list_displays(std::vector<std::string>& failures) {
+  std::vector<Candidate> candidates;
+  if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) {
+    candidates.push_back({"surfaceless", eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA,
+                                                                  EGL_DEFAULT_DISPLAY, nullptr)});
+  } else {
+    failures.emplace_back("surfaceless: no EGL_MESA_platform_surfaceless");
+  }
+  if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_enumeration") &&
+      epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_device")) {
+    std::array<EGLDeviceEXT, 16> devices{};
+    EGLint count = 0;
+    if (eglQueryDevicesEXT(static_cast<EGLint>(devices.size()), devices.data(), &count) ==
+        EGL_FALSE)
+      count = 0;
+    if (count == 0) failures.emplace_back("devices: none found");
+    for (EGLint i = 0; i < count; ++i) {
+      candidates.push_back(
+          {"device " + std::to_string(i),
+           eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[static_cast<std::size_t>(i)],
+                                    nullptr)});
+    }
+  } else {
+    failures.emplace_back("devices: no EGL_EXT_device_enumeration with EGL_EXT_platform_device");
+  }
+  candidates.push_back({"default display", eglGetDisplay(EGL_DEFAULT_DISPLAY)});
+  return candidates;
+}
+
+EGLContext create_context(EGLDisplay display) {
+  const std::array<EGLint, 9> attributes = {EGL_CONTEXT_MAJOR_VERSION,
+                                            4,
+                                            EGL_CONTEXT_MINOR_VERSION,
+                                            5,
+                                            EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                            EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                            EGL_CONTEXT_OPENGL_DEBUG,
+#ifdef NDEBUG
+                                            EGL_FALSE,
+#else
+                                            EGL_TRUE,
+#endif
+                                            EGL_NONE};
+  return eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
+}
+
+std::string gl_string(GLenum name) {
+  const GLubyte* text = glGetString(name);
+  return text != nullptr ? reinterpret_cast<const char*>(text) : "unknown";
+}
+
+}  // namespace
+
+// EGL knows each display once in a process; ending it ends all its contexts. So contexts share it.
+struct EglContext::Display {
+  explicit Display(EGLDisplay handle_in) : handle(handle_in) {}
+  ~Display() { eglTerminate(handle); }
+  Display(const Display&) = delete;
+  Display& operator=(const Display&) = delete;
+
+  // Null if it cannot be initialised.
+  static std::shared_ptr<Display> open(EGLDisplay handle) {
+    static std::mutex mutex;
+    static std::map<EGLDisplay, std::weak_ptr<Display>> displays;
+    const std::lock_guard lock(mutex);
+    if (auto existing = displays[handle].lock()) return existing;
+    if (eglInitialize(handle, nullptr, nullptr) == EGL_FALSE) return nullptr;
+    auto made = std::make_shared<Display>(handle);
+    displays[handle] = made;
+    return made;
+  }
+
+  EGLDisplay handle;
+};
+
+EglContext::EglContext() : owner_(std::this_thread::get_id()) {
+  std::vector<std::string> failures;
+  for (const Candidate& candidate : list_displays(failures)) {
+    const auto fail = [&](const std::string& what) {
+      failures.push_back(candidate.platform + ": " + what + " (" + egl_error() + ")");
+    };
+    if (candidate.display == EGL_NO_DISPLAY) {
+      fail("no display");
+      continue;
+    }
+    auto display = Display::open(candidate.display);
+    if (!display) {
+      fail("cannot be initialised");
+      continue;
+    }
+    if (eglBindAPI(EGL_OPENGL_API) == EGL_FALSE) {
+      fail("has no desktop OpenGL");
+      continue;
+    }
+    EGLContext context = create_context(display->handle);
+    if (context == EGL_NO_CONTEXT) {
+      fail("no OpenGL 4.5 core context");
+      continue;
+    }
+    if (eglMakeCurrent(display->handle, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_FALSE) {
+      fail("context cannot be made current without a surface");
+      eglDestroyContext(display->handle, context);
+      continue;
+    }
+    display_ = std::move(display);
+    context_ = context;
+    platform_ = candidate.platform;
+    break;
+  }
+  if (context_ == nullptr) {
+    std::string message = "no OpenGL 4.5 context without a window; tried ";
+    for (std::size_t i = 0; i < failures.size(); ++i) message += (i > 0 ? "; " : "") + failures[i];
+    throw std::runtime_error(message);
+  }
+  vendor_ = gl_string(GL_VENDOR);
+  renderer_ = gl_string(GL_RENDERER);
+  version_ = gl_string(GL_VERSION);
+  report_gl_errors();
+}
+
+EglContext::~EglContext() {
+  check_thread();
+  eglMakeCurrent(display_->handle, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  eglDestroyContext(display_->handle, context_);
+}
+
+void EglContext::check_thread() const {
+  AMALGAM_CHECK(std::this_thread::get_id() == owner_,
+                "OpenGL used on another thread than the one that made its context");
+}
+
+}  // namespace amalgam::gl

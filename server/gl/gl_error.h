@@ -1,0 +1,14 @@
+// OpenGL's own complaints, brought to where they can be seen.
+#pragma once
+
+#include <string>
+
+namespace amalgam::gl {
+
+// Logs every error that the driver reports; in debug builds it ends the program at the faulty call.
+void report_gl_errors();
+
+// Throws std::runtime_error if an error is pending, such as GL_OUT_OF_MEMORY after an allocation.
+void throw_pending_gl_error(const std::string& doing);
+
+}  // namespace amalgam::gl

@@ -1,0 +1,88 @@
+// What C++ and GLSL agree on: bindings, locations and the layout of buffers. The other half of this
+// file is shaders/interface.glsl.
+#pragma once
+
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+namespace amalgam::gl {
+
+// Uniform buffers.
+constexpr unsigned kFrameBinding = 0;
+constexpr unsigned kSrgbTableBinding = 1;
+// Shader storage buffers.
+constexpr unsigned kInstancesBinding = 0;
+constexpr unsigned kMaterialsBinding = 1;
+constexpr unsigned kFaceNormalsBinding = 2;
+constexpr unsigned kLightsBinding = 3;
+constexpr unsigned kShadowLayersBinding = 4;
+// Texture units.
+constexpr unsigned kBaseColorUnit = 0;
+constexpr unsigned kMaskUnit = 1;
+constexpr unsigned kShadowMapUnit = 2;  // and the next three, in the order of CasterClass
+constexpr unsigned kMixedUnit = 6;
+constexpr unsigned kRealUnit = 7;
+// Uniform locations.
+constexpr int kInstanceIndexLocation = 0;
+constexpr int kLayerIndexLocation = 1;
+constexpr int kShadowMapsPresentLocation = 2;  // bit i: the map of CasterClass i is bound
+constexpr int kSamplesPerSideLocation = 3;
+constexpr int kExposureLocation = 4;
+
+struct GpuFrame {  // std140
+  glm::vec4 eye_in_world{0.0f};
+};
+
+struct GpuInstance {  // std430
+  glm::mat4 clip_from_mesh{1.0f};
+  glm::mat4 world_from_mesh{1.0f};
+  glm::mat4 normal_from_mesh{1.0f};  // upper 3x3: cofactors, sign of the determinant; any scale
+  std::uint32_t material = 0;
+  std::uint32_t flags = 0;     // what the mask shows: bits of passes::SampleMask
+  std::uint32_t textured = 0;  // the material has a base colour texture and the mesh has uvs
+  std::uint32_t unused = 0;
+};
+static_assert(sizeof(GpuInstance) == 208);
+
+struct GpuMaterial {  // std430
+  glm::vec4 base_color{1.0f};
+  glm::vec3 emission{0.0f};
+  float metallic = 0.0f;
+  glm::vec3 absorption{0.0f};  // 1/m
+  float alpha_cutoff = -1.0f;  // below 0: not masked
+  float phong_exponent = 0.0f;
+  float normal_reflectance = 0.0f;  // dielectrics: Schlick's R_m
+  std::uint32_t thin = 0;
+  std::uint32_t unused = 0;
+  glm::uvec2 wrap{0};  // scene::Wrap of u and v
+  glm::uvec2 unused2{0};
+};
+static_assert(sizeof(GpuMaterial) == 80);
+
+struct GpuLight {  // std430
+  glm::vec3 to_light{0.0f};
+  std::uint32_t kind = 0;  // scene::Light::Kind
+  glm::vec3 position{0.0f};
+  float range = 0.0f;
+  glm::vec3 intensity{0.0f};
+  float cos_inner = 1.0f;
+  float cos_outer = 0.0f;
+  std::uint32_t first_layer = 0;
+  std::uint32_t layer_count = 1;  // 1, or 6: sides of a cube, +x -x +y -y +z -z
+  std::uint32_t unused = 0;
+};
+static_assert(sizeof(GpuLight) == 64);
+
+struct GpuShadowLayer {  // std430
+  glm::mat4 clip_from_world{1.0f};
+  glm::vec3 eye{0.0f};  // perspective: the light's position; parallel: unit vector to the light
+  std::uint32_t perspective = 0;
+  float texel = 0.0f;  // side of a texel, metres (perspective: at 1 m from the light)
+  std::uint32_t unused[3] = {};
+};
+static_assert(sizeof(GpuShadowLayer) == 96);
+
+}  // namespace amalgam::gl

@@ -1,0 +1,70 @@
+#include "passes/resolve.h"
+
+#include <cmath>
+#include <utility>
+
+#include "gl/framebuffer.h"
+#include "gl/pipeline_state.h"
+#include "gl/shader_interface.h"
+#include "passes/draw_items.h"
+#include "passes/read_back.h"
+
+namespace amalgam::passes {
+namespace {
+
+void draw_layers(const ResolveInputs& in, DeviceImage mixed, DeviceImage real, float exposure,
+                 const gl::Texture& over, const gl::Texture& difference) {
+  const gl::ShaderProgram& program = in.raster.shaders.resolve_samples;
+  const gl::Framebuffer framebuffer({.colors = {&over, &difference}});
+  gl::apply({});
+  framebuffer.bind();
+  mixed->bind(gl::kMixedUnit);
+  real->bind(gl::kRealUnit);
+  program.set(gl::kSamplesPerSideLocation, in.view.samples_per_side);
+  program.set(gl::kExposureLocation, exposure);
+  cover_screen(in.raster, program);
+}
+
+// The difference is kept as RGB; its alpha carries how many values were replaced.
+std::pair<core::ImageRgb32f, std::uint64_t> split(const core::ImageRgba32f& image) {
+  core::ImageRgb32f colors(image.width(), image.height());
+  double replaced = 0.0;
+  for (std::size_t i = 0; i < image.pixels().size(); ++i) {
+    colors.pixels()[i] = glm::vec3(image.pixels()[i]);
+    replaced += static_cast<double>(image.pixels()[i].w);
+  }
+  return {std::move(colors), static_cast<std::uint64_t>(std::llround(replaced))};
+}
+
+}  // namespace
+
+ResolveOutputs add_resolve_pass(graph::FrameGraph& graph, const ResolveInputs& in) {
+  ResolveOutputs out;
+  graph.add_pass(
+      "resolve",
+      [&](graph::Builder& builder) {
+        builder.needs(in.diffuse.mixed);
+        builder.needs(in.diffuse.real);
+        builder.needs(in.exposure);
+        out.layers = builder.writes<Layers>("diffuse layers");
+        out.nonfinite = builder.writes<std::uint64_t>("non-finite diffuse values");
+      },
+      [in, out](const graph::Access& access) {
+        const glm::ivec2 size(in.view.ideal.width, in.view.ideal.height);
+        RasterTargets& targets = in.raster.targets;
+        const gl::Texture& over = ensure_target(targets.over, gl::TextureFormat::Rgba32f, size);
+        const gl::Texture& difference =
+            ensure_target(targets.difference, gl::TextureFormat::Rgba32f, size);
+        draw_layers(in, access.get(in.diffuse.mixed), access.get(in.diffuse.real),
+                    access.get(in.exposure), over, difference);
+        Layers layers;
+        layers.over = read_rgba(&over);
+        auto [colors, replaced] = split(read_rgba(&difference));
+        layers.difference = std::move(colors);
+        access.set(out.layers, std::move(layers));
+        access.set(out.nonfinite, replaced);
+      });
+  return out;
+}
+
+}  // namespace amalgam::passes

@@ -1,0 +1,54 @@
+#version 450 core
+// Both solutions of a diffuse surface in one go: I_m with all shadows, I_r with those of real
+// objects (eq. 4.6).
+#define RECEIVES_SHADOWS
+#include "interface.glsl"
+#include "base_color.glsl"
+#include "surface_normals.glsl"
+#include "phong.glsl"
+#include "shadow.glsl"
+
+layout(early_fragment_tests) in;
+layout(binding = 1) uniform usampler2D mask_flags;
+
+layout(location = 0) in vec3 world_position;
+layout(location = 1) in vec3 world_normal;
+layout(location = 2) in vec2 surface_uv;
+layout(location = 0) out vec4 mixed_image;
+layout(location = 1) out vec4 real_image;
+
+const uint kVirtual = 1u;
+
+void main() {
+  Instance instance = instances[instance_index];
+  // Of coincident surfaces the mask pass chose one; another kind must not show through.
+  if (texelFetch(mask_flags, ivec2(gl_FragCoord.xy), 0).r != instance.flags) discard;
+  Material material = materials[instance.material];
+  vec4 color = base_color(instance, material, surface_uv);
+  if (is_cut_out(material, color)) discard;
+
+  vec3 view = normalize(eye_in_world.xyz - world_position);
+  Normals normals = surface_normals(instance, world_normal);
+  if (dot(normals.geometric, view) < 0.0) {
+    normals.geometric = -normals.geometric;
+    normals.shading = -normals.shading;
+  }
+  PhongTerms terms = phong_terms(material, color.rgb);
+
+  precise vec3 mixed = material.emission;
+  precise vec3 real = material.emission;
+  for (uint i = 0u; i < uint(lights.length()); ++i) {
+    Light light = lights[i];
+    LightArrival arrival = light_arrival(light, world_position);
+    float cosine = dot(normals.shading, arrival.to_light);
+    if (!(cosine > 0.0) || !(dot(normals.geometric, arrival.to_light) > 0.0)) continue;
+    vec4 lookup = shadow_lookup(light, world_position, normals.geometric, arrival.to_light);
+    Attenuation attenuation = shadow_attenuation(lookup);
+    vec3 contribution = phong_contribution(terms, normals.shading, view, arrival, cosine);
+    mixed += contribution * attenuation.mixed;
+    real += contribution * attenuation.real;
+  }
+  bool is_virtual = (instance.flags & kVirtual) != 0u;
+  mixed_image = vec4(mixed, is_virtual ? 1.0 : 0.0);
+  real_image = is_virtual ? vec4(0.0) : vec4(real, 1.0);
+}

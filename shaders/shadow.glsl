@@ -1,0 +1,111 @@
+// How much of a light arrives at a receiver.
+//
+// Opaque casters (mirrors too): nothing, if one is nearer to the light. Four depth comparisons,
+// linearly weighted.
+//
+// Glass casters let light straight on, without bending it. The light's path through a map's texel
+// meets interfaces i; each leaves (1 - F_i) times the base colour c_i, and inside a solid the light
+// fades by Beer-Lambert:
+//
+//   optical depth = sum_i -ln((1 - F_i) c_i)  +  sum_i s_i sigma_i t_i,    T = exp(-max(depth, 0))
+//
+// with t the distance along the light, s = -1 at an entering interface and +1 at a leaving one (so
+// that nothing has to be paired), and F Schlick's reflectance with the cosine |N.L| as if from
+// outside, so that no part of a shadow is cut off by total reflection. Thin glass: F = 2R / (1 + R)
+// for its two sides together, and no absorption. (1 - F) c is kept above kMinTransmittance. The
+// tracer's shadow rays do the same (trace/shadow.cpp). Only this differs: a receiver behind the
+// *nearest* glass gets the product of all glass on its texel, even of glass that lies behind it.
+
+const float kMinTransmittance = 1e-6;
+
+// F of one interface (solid), or of a whole sheet (thin).
+float glass_reflectance(Material material, float cosine) {
+  float m = clamp(1.0 - cosine, 0.0, 1.0);
+  float r0 = material.normal_reflectance;
+  float r = r0 + (1.0 - r0) * m * m * m * m * m;
+  return material.thin != 0u ? 2.0 * r / (1.0 + r) : r;
+}
+
+#ifdef RECEIVES_SHADOWS
+layout(binding = 2) uniform sampler2DArrayShadow real_opaque_map;
+layout(binding = 3) uniform sampler2DArrayShadow virtual_opaque_map;
+layout(binding = 4) uniform sampler2DArray real_glass_map;
+layout(binding = 5) uniform sampler2DArray virtual_glass_map;
+layout(location = 2) uniform uint shadow_maps_present;
+
+uint cube_side(vec3 d) {
+  vec3 a = abs(d);
+  if (a.x >= a.y && a.x >= a.z) return d.x >= 0.0 ? 0u : 1u;
+  if (a.y >= a.z) return d.y >= 0.0 ? 2u : 3u;
+  return d.z >= 0.0 ? 4u : 5u;
+}
+
+// Where to look: xy in the map, layer, reversed depth of the receiver.
+vec4 shadow_lookup(Light light, vec3 point, vec3 geometric_normal, vec3 to_light) {
+  uint index = light.first_layer;
+  float texel = shadow_layers[index].texel;
+  if (light.kind != 0u) texel *= distance(point, light.position);
+  // A plane at angle a to the light changes its depth by d tan(a) within d; a step of d sin(a) along
+  // its normal makes up for it. d: half a texel's diagonal and the filter's reach, 1.5 texels.
+  float cosine = dot(geometric_normal, to_light);
+  float sine = sqrt(max(1.0 - cosine * cosine, 0.0));
+  vec3 lifted = point + geometric_normal * (1.5 * texel * sine);
+  if (light.layer_count == 6u) index += cube_side(lifted - light.position);
+  vec4 clip = shadow_layers[index].clip_from_world * vec4(lifted, 1.0);
+  vec3 ndc = clip.xyz / clip.w;
+  const float kRounding = 1e-5;  // of depth, [0, 1]; perspective depth: relative
+  float depth = light.kind == 0u ? ndc.z + kRounding : ndc.z * (1.0 + kRounding);
+  return vec4(0.5 * ndc.xy + 0.5, float(index), depth);
+}
+
+float opaque_attenuation(sampler2DArrayShadow map, vec4 lookup) {
+  // "Fully lit" must be exactly 1, or virtual casters elsewhere would change the mixed image by a
+  // rounding of the filter's weights.
+  float lit = texture(map, lookup);
+  return lit > 0.999 ? 1.0 : lit;
+}
+
+vec3 glass_texel(sampler2DArray map, ivec3 at, float depth) {
+  ivec2 size = textureSize(map, 0).xy;
+  if (any(lessThan(at.xy, ivec2(0))) || any(greaterThanEqual(at.xy, size))) return vec3(1.0);
+  vec4 stored = texelFetch(map, at, 0);
+  return depth >= stored.a ? vec3(1.0) : exp(-max(stored.rgb, 0.0));
+}
+
+vec3 glass_attenuation(sampler2DArray map, vec4 lookup) {
+  vec2 p = lookup.xy * vec2(textureSize(map, 0).xy) - 0.5;
+  vec2 whole = floor(clamp(p, -2.0, 65536.0));
+  vec2 f = clamp(p - whole, 0.0, 1.0);
+  ivec3 at = ivec3(ivec2(whole), int(lookup.z));
+  vec3 a = glass_texel(map, at, lookup.w), b = glass_texel(map, at + ivec3(1, 0, 0), lookup.w);
+  vec3 c = glass_texel(map, at + ivec3(0, 1, 0), lookup.w);
+  vec3 d = glass_texel(map, at + ivec3(1, 1, 0), lookup.w);
+  // Written as a + f (b - a): exactly 1 between ones.
+  vec3 top = a + f.x * (b - a);
+  vec3 bottom = c + f.x * (d - c);
+  return top + f.y * (bottom - top);
+}
+
+struct Attenuation {
+  vec3 mixed;  // by everything
+  vec3 real;   // by real objects only
+};
+
+// Products: without a virtual shadow, mixed equals real to the last bit.
+Attenuation shadow_attenuation(vec4 lookup) {
+  vec3 real = vec3(1.0), added = vec3(1.0);
+#if HAS_REAL_OPAQUE
+  if ((shadow_maps_present & 1u) != 0u) real *= opaque_attenuation(real_opaque_map, lookup);
+#endif
+#if HAS_REAL_GLASS
+  if ((shadow_maps_present & 4u) != 0u) real *= glass_attenuation(real_glass_map, lookup);
+#endif
+#if HAS_VIRTUAL_OPAQUE
+  if ((shadow_maps_present & 2u) != 0u) added *= opaque_attenuation(virtual_opaque_map, lookup);
+#endif
+#if HAS_VIRTUAL_GLASS
+  if ((shadow_maps_present & 8u) != 0u) added *= glass_attenuation(virtual_glass_map, lookup);
+#endif
+  return Attenuation(real * added, real);
+}
+#endif

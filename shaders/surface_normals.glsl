@@ -1,0 +1,15 @@
+// Normals at a fragment, in the world frame, both on the outer side of the surface.
+
+struct Normals {
+  vec3 geometric;  // unit, of the triangle
+  vec3 shading;    // unit, interpolated
+};
+
+Normals surface_normals(Instance instance, vec3 interpolated) {
+  Normals normals;
+  normals.geometric =
+      normalize(mat3(instance.normal_from_mesh) * face_normals[gl_PrimitiveID].xyz);
+  float len = length(interpolated);
+  normals.shading = len > 0.0 ? interpolated / len : normals.geometric;
+  return normals;
+}
