@@ -1,7 +1,8 @@
 // A scene placed in front of one camera for one frame: poses in, world-frame transforms out.
 //
-// The world frame is the world marker's (glTF axes: +Y out of the paper). If that marker is unseen but others
-// that objects are bound to are seen, the first of those (in order of id) stands in for it, so that its objects still show.
+// The world frame is the world marker's (glTF axes: +Y out of the paper). If that marker is unseen
+// but others that objects are bound to are seen, the first of those (in order of id) stands in for
+// it, so that its objects still show.
 #pragma once
 
 #include <cstdint>
@@ -21,13 +22,14 @@ struct AnchoredInstance {
 };
 
 struct AnchoredScene {
-  glm::dmat4 camera_from_world{1.0};  // rigid; camera: x right, y down, z forward
+  glm::dmat4 camera_from_world{1.0};        // rigid; camera: x right, y down, z forward
   std::vector<AnchoredInstance> instances;  // those whose marker is seen, in scene order
   std::vector<Light> punctual_lights;       // those whose marker is seen
   int world_marker = 0;                     // the marker whose frame is the world
 };
 
-// Unusable poses (core::is_usable) are ignored. Without any pose that something is bound to, no instance is anchored.
+// Unusable poses (core::is_usable) are ignored. Without any pose that something is bound to, no
+// instance is anchored.
 AnchoredScene anchor_scene(const Scene& scene, std::span<const core::MarkerPose> poses);
 
 }  // namespace amalgam::scene

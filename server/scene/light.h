@@ -1,4 +1,5 @@
-// A light as the shaders want it: one struct for environment lights and glTF punctual lights, in the world frame.
+// A light as the shaders want it: one struct for environment lights and glTF punctual lights, in
+// the world frame.
 #pragma once
 
 #include <cstdint>
@@ -9,12 +10,13 @@ namespace amalgam::scene {
 struct Light {
   enum class Kind : std::uint8_t { Directional, Point, Spot };
   Kind kind = Kind::Directional;
-  glm::vec3 to_light{0.0f, 1.0f, 0.0f};  // unit. Directional: towards the light. Spot: against its axis
-  glm::vec3 position{0.0f};              // point and spot: metres
-  // Directional: irradiance on a surface facing it (for an environment light, radiance x solid angle).
-  // Point and spot: radiant intensity; irradiance is intensity / distance^2.
+  glm::vec3 to_light{0.0f, 1.0f,
+                     0.0f};  // unit. Directional: towards the light. Spot: against its axis
+  glm::vec3 position{0.0f};  // point and spot: metres
+  // Directional: irradiance on a surface facing it (for an environment light, radiance x solid
+  // angle). Point and spot: radiant intensity; irradiance is intensity / distance^2.
   glm::vec3 intensity{0.0f};
-  float range = 0.0f;                    // metres, 0 = unlimited; glTF's window max(min(1-(d/r)^4,1),0)
+  float range = 0.0f;  // metres, 0 = unlimited; glTF's window max(min(1-(d/r)^4,1),0)
   float cos_inner = 1.0f, cos_outer = 0.0f;  // spot; glTF's smooth cone
 };
 

@@ -15,31 +15,36 @@ enum class MaterialKind : std::uint8_t {
   Dielectric,  // glass, water: reflects and refracts (eq. 4.7, 4.8); traced
 };
 
-constexpr bool is_specular(MaterialKind kind) { return kind != MaterialKind::Diffuse; }
+constexpr bool is_specular(MaterialKind kind) {
+  return kind != MaterialKind::Diffuse;
+}
 
 struct Material {
   std::string name;
   MaterialKind kind = MaterialKind::Diffuse;
 
-  glm::vec4 base_color{1.0f};                          // linear RGB in [0,1], alpha
-  std::optional<std::uint32_t> base_color_texture{};   // index into Scene::textures; multiplies base_color
-  glm::vec3 emission{0.0f};                            // scene-linear radiance, strength included
-  float metallic = 0.0f;                               // [0,1]
-  float roughness = 1.0f;                              // [0,1], glTF's perceptual roughness
+  glm::vec4 base_color{1.0f};  // linear RGB in [0,1], alpha
+  std::optional<std::uint32_t>
+      base_color_texture{};  // index into Scene::textures; multiplies base_color
+  glm::vec3 emission{0.0f};  // scene-linear radiance, strength included
+  float metallic = 0.0f;     // [0,1]
+  float roughness = 1.0f;    // [0,1], glTF's perceptual roughness
   bool double_sided = false;
-  std::optional<float> alpha_cutoff{};                 // set: alpha mode MASK
+  std::optional<float> alpha_cutoff{};  // set: alpha mode MASK
 
   // Dielectric only.
-  float ior = 1.5f;                                    // >= 1, relative to air
-  bool thin = false;                                   // no volume: rays pass undeviated
-  glm::vec3 absorption{0.0f};                          // Beer-Lambert sigma_a, 1/m (0 = clear)
+  float ior = 1.5f;            // >= 1, relative to air
+  bool thin = false;           // no volume: rays pass undeviated
+  glm::vec3 absorption{0.0f};  // Beer-Lambert sigma_a, 1/m (0 = clear)
 };
 
-// Phong's terms (eq. 4.6) of a diffuse material, for light of irradiance E arriving at cosine c > 0:
+// Phong's terms (eq. 4.6) of a diffuse material, for light of irradiance E arriving at cosine c >
+// 0:
 //   radiance = E c (albedo / pi + specular (exponent + 2) / (2 pi) max(R.V, 0)^exponent)
 // The thesis's specular term has no cosine and no normalisation; with them the sum reflects no more
-// than it receives (Lafortune and Willems 1994), so that furnace tests can hold. glTF's roughness r becomes the exponent
-// by matching highlight widths: alpha = r^2, Blinn-Phong exponent 2/alpha^2 - 2, Phong a quarter of it.
+// than it receives (Lafortune and Willems 1994), so that furnace tests can hold. glTF's roughness r
+// becomes the exponent by matching highlight widths: alpha = r^2, Blinn-Phong exponent 2/alpha^2 -
+// 2, Phong a quarter of it.
 struct PhongTerms {
   glm::vec3 albedo{0.0f};
   glm::vec3 specular{0.0f};

@@ -1,7 +1,9 @@
-// A loaded scene as plain data: what glTF said, checked and resolved, with nothing of any renderer in it.
+// A loaded scene as plain data: what glTF said, checked and resolved, with nothing of any renderer
+// in it.
 //
-// Metres, right-handed, +Y up. Everything stands in an *anchor* frame: the frame on a marker (origin at
-// its centre, +Y out of the paper, +X along its right), the world marker's unless a node names another.
+// Metres, right-handed, +Y up. Everything stands in an *anchor* frame: the frame on a marker
+// (origin at its centre, +Y out of the paper, +X along its right), the world marker's unless a node
+// names another.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +35,8 @@ struct Mesh {
 
 enum class Wrap : std::uint8_t { Repeat, Mirror, Clamp };
 
-// Colour textures are sRGB-encoded as in the file; alpha is linear. uv (0, 0) is the top left corner.
+// Colour textures are sRGB-encoded as in the file; alpha is linear. uv (0, 0) is the top left
+// corner.
 struct Texture {
   core::ImageRgba8 texels;
   Wrap wrap_u = Wrap::Repeat;
@@ -41,11 +44,11 @@ struct Texture {
 };
 
 struct Instance {
-  std::string node;                // for messages
-  std::uint32_t mesh = 0;          // index into Scene::meshes
-  std::uint32_t material = 0;      // index into Scene::materials
+  std::string node;                  // for messages
+  std::uint32_t mesh = 0;            // index into Scene::meshes
+  std::uint32_t material = 0;        // index into Scene::materials
   glm::mat4 anchor_from_mesh{1.0f};  // affine, may scale and mirror; condition <= 1e6
-  std::optional<int> marker{};     // the marker it is bound to; none: the world marker
+  std::optional<int> marker{};       // the marker it is bound to; none: the world marker
   Role role = Role::Virtual;
 };
 
@@ -54,17 +57,17 @@ struct PunctualLight {
   enum class Kind : std::uint8_t { Directional, Point, Spot };
   std::string node;
   Kind kind = Kind::Directional;
-  glm::vec3 intensity{0.0f};          // colour times intensity, linear
-  float range = 0.0f;                 // metres; 0 = unlimited
+  glm::vec3 intensity{0.0f};                       // colour times intensity, linear
+  float range = 0.0f;                              // metres; 0 = unlimited
   float cos_inner = 1.0f, cos_outer = 0.7071068f;  // spot cone
-  glm::mat4 anchor_from_light{1.0f};  // the light shines along its -Z
+  glm::mat4 anchor_from_light{1.0f};               // the light shines along its -Z
   std::optional<int> marker{};
 };
 
 struct World {
-  int marker = 0;                         // defines the world frame
+  int marker = 0;  // defines the world frame
   std::string dictionary = "DICT_6X6_250";
-  double marker_length = 0.05;            // metres
+  double marker_length = 0.05;  // metres
 };
 
 struct Scene {

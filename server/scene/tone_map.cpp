@@ -36,7 +36,9 @@ const std::array<float, 255>& encode_thresholds() {
 
 }  // namespace
 
-float compress(float x) { return x < 1.0f ? x / (1.0f + x) : 1.0f / (1.0f + 1.0f / x); }
+float compress(float x) {
+  return x < 1.0f ? x / (1.0f + x) : 1.0f / (1.0f + 1.0f / x);
+}
 
 float expand(float d) {
   static const float kMax = static_cast<float>(decode(254.5 / 255.0));
@@ -54,7 +56,9 @@ glm::vec3 inverse_tone_map(const glm::vec3& display_linear, float exposure) {
          exposure;
 }
 
-float srgb_decode(std::uint8_t byte) { return decode_table()[byte]; }
+float srgb_decode(std::uint8_t byte) {
+  return decode_table()[byte];
+}
 
 float srgb_decode(float encoded) {
   return static_cast<float>(decode(std::clamp(static_cast<double>(encoded), 0.0, 1.0)));
@@ -77,7 +81,8 @@ glm::vec3 srgb_decode(const core::Rgb8& pixel) {
 }
 
 core::Rgb8 srgb_encode(const glm::vec3& display_linear) {
-  return {srgb_encode(display_linear.x), srgb_encode(display_linear.y), srgb_encode(display_linear.z)};
+  return {srgb_encode(display_linear.x), srgb_encode(display_linear.y),
+          srgb_encode(display_linear.z)};
 }
 
 }  // namespace amalgam::scene

@@ -1,0 +1,116 @@
+#include "codec/picture.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <memory>
+#include <string>
+
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_ONLY_PNG
+#define STBI_ONLY_JPEG
+#define STBI_ONLY_HDR
+#define STBI_NO_STDIO
+#define STBI_MAX_DIMENSIONS 8192
+#include <stb/stb_image.h>
+
+namespace amalgam::codec {
+namespace {
+
+struct PixelCloser {
+  void operator()(void* pixels) const { stbi_image_free(pixels); }
+};
+
+struct Input {
+  const stbi_uc* data;
+  int size;
+};
+
+Input input_of(std::span<const std::byte> encoded) {
+  constexpr std::size_t kMaxBytes = std::size_t{256} << 20;
+  if (encoded.size() > kMaxBytes) throw PictureError("picture is larger than 256 MiB");
+  return {reinterpret_cast<const stbi_uc*>(encoded.data()), static_cast<int>(encoded.size())};
+}
+
+std::string reason() {
+  const char* text = stbi_failure_reason();
+  return text ? text : "unknown reason";
+}
+
+glm::ivec2 checked_size(const Input& input) {
+  int width = 0, height = 0, channels = 0;
+  if (!stbi_info_from_memory(input.data, input.size, &width, &height, &channels)) {
+    throw PictureError("not a readable picture: " + reason());
+  }
+  if (width < 1 || height < 1 || width > kMaxPictureSide || height > kMaxPictureSide ||
+      width > kMaxPicturePixels / height) {
+    throw PictureError("picture size " + std::to_string(width) + "x" + std::to_string(height) +
+                       " is outside the limits (8192 a side, 32 Mpixel)");
+  }
+  return {width, height};
+}
+
+bool begins_with(std::span<const std::byte> bytes, std::span<const unsigned char> prefix) {
+  return bytes.size() >= prefix.size() &&
+         std::memcmp(bytes.data(), prefix.data(), prefix.size()) == 0;
+}
+
+constexpr std::array<unsigned char, 8> kPngSignature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+constexpr std::array<unsigned char, 3> kJpegSignature{0xFF, 0xD8, 0xFF};
+
+// stb_image stops at the end of the pixels and does not miss the end of the file.
+bool has_png_end(std::span<const std::byte> bytes) {
+  std::size_t at = kPngSignature.size();
+  while (bytes.size() - at >= 12) {  // length, type, check sum
+    std::uint32_t length = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      length = length << 8 | std::to_integer<std::uint32_t>(bytes[at + i]);
+    if (std::memcmp(bytes.data() + at + 4, "IEND", 4) == 0) return true;
+    if (length > bytes.size() - at - 12) return false;
+    at += 12 + std::size_t{length};
+  }
+  return false;
+}
+
+}  // namespace
+
+void check_picture(std::span<const std::byte> encoded) {
+  const bool png = begins_with(encoded, kPngSignature);
+  if (!png && !begins_with(encoded, kJpegSignature)) {
+    throw PictureError("picture is neither PNG nor JPEG");
+  }
+  checked_size(input_of(encoded));
+  if (png && !has_png_end(encoded)) throw PictureError("PNG ends before its IEND chunk");
+}
+
+core::ImageRgba8 decode_picture(std::span<const std::byte> encoded) {
+  check_picture(encoded);
+  const Input input = input_of(encoded);
+  int width = 0, height = 0, channels = 0;
+  const std::unique_ptr<stbi_uc, PixelCloser> pixels(
+      stbi_load_from_memory(input.data, input.size, &width, &height, &channels, 4));
+  if (!pixels) throw PictureError("damaged picture: " + reason());
+  core::ImageRgba8 image(width, height);
+  static_assert(sizeof(core::Rgba8) == 4);
+  std::memcpy(static_cast<void*>(image.data()), pixels.get(), image.pixels().size_bytes());
+  return image;
+}
+
+core::ImageRgb32f decode_radiance_hdr(std::span<const std::byte> encoded) {
+  const Input input = input_of(encoded);
+  if (!stbi_is_hdr_from_memory(input.data, input.size)) {
+    throw PictureError("not a Radiance picture");
+  }
+  checked_size(input);
+  int width = 0, height = 0, channels = 0;
+  const std::unique_ptr<float, PixelCloser> pixels(
+      stbi_loadf_from_memory(input.data, input.size, &width, &height, &channels, 3));
+  if (!pixels) throw PictureError("damaged picture: " + reason());
+  core::ImageRgb32f image(width, height);
+  static_assert(sizeof(glm::vec3) == 12);
+  std::memcpy(static_cast<void*>(image.data()), pixels.get(), image.pixels().size_bytes());
+  return image;
+}
+
+}  // namespace amalgam::codec

@@ -1,0 +1,32 @@
+// Pictures that come with scenes: PNG and JPEG textures, Radiance (.hdr) environment maps. The only
+// user of stb_image. Unlike camera frames (codec/jpeg.h) these come from the operator.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <stdexcept>
+
+#include "core/image.h"
+
+namespace amalgam::codec {
+
+class PictureError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+constexpr int kMaxPictureSide = 8192;                // pixels
+constexpr int kMaxPicturePixels = 32 * 1024 * 1024;  // 32 Mpixel
+
+// Throws PictureError unless the bytes begin as a PNG or JPEG within the limits and, for a PNG, go
+// on to its end.
+void check_picture(std::span<const std::byte> encoded);
+
+// PNG or JPEG (progressive too) to sRGB-encoded bytes with linear alpha, 255 where the file has
+// none. 16-bit channels are reduced to 8. The size is checked before anything is decoded.
+core::ImageRgba8 decode_picture(std::span<const std::byte> encoded);
+
+// Radiance RGBE to scene-linear values.
+core::ImageRgb32f decode_radiance_hdr(std::span<const std::byte> encoded);
+
+}  // namespace amalgam::codec

@@ -1,0 +1,68 @@
+// A JSON document as a tree that can be walked safely, whatever a file contains.
+//
+// Separate from any JSON library's own tree because the loader judges a glTF file before it hands
+// it on: nesting is bounded while parsing, and every access names the place that was wrong.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace amalgam::scene {
+
+struct JsonValue {
+  enum class Kind { Null, Boolean, Number, String, Array, Object };
+  Kind kind = Kind::Null;
+  bool boolean = false;
+  double number = 0.0;  // exact for integers up to 2^53
+  std::string string;
+  std::vector<JsonValue> items;                            // of an array
+  std::vector<std::pair<std::string, JsonValue>> members;  // of an object, in file order
+};
+
+constexpr int kMaxJsonDepth = 64;
+constexpr std::size_t kMaxJsonValues = 4'000'000;
+
+// Throws SceneError (without a file name) for bad syntax, a name that occurs twice in an object, a
+// byte order mark, or more depth or values than the limits.
+JsonValue parse_json(std::string_view text);
+
+// A value and the path to it. Wrong kinds throw SceneError "path: what was expected". Cheap to copy
+// apart from the path; valid as long as the document is.
+class JsonCursor {
+ public:
+  explicit JsonCursor(const JsonValue& root) : value_(&root) {}
+
+  const std::string& path() const { return path_; }
+  const JsonValue& value() const { return *value_; }
+  [[noreturn]] void fail(const std::string& why) const;
+
+  // Objects.
+  void expect_object() const;
+  std::optional<JsonCursor> find(std::string_view name) const;  // nothing: no such member
+  JsonCursor get(std::string_view name) const;                  // fails if there is none
+  std::vector<std::pair<std::string, JsonCursor>> members() const;
+
+  // Arrays. expect_filled() also refuses an empty one, as the glTF schema does throughout.
+  std::vector<JsonCursor> items() const;
+  std::vector<JsonCursor> filled_items() const;
+
+  // Scalars; bounds are inclusive.
+  double number() const;
+  double number(double low, double high) const;
+  long long integer(long long low, long long high = (1LL << 53)) const;
+  const std::string& string() const;
+  bool boolean() const;
+  std::vector<double> numbers(std::size_t count) const;  // an array of exactly so many
+
+ private:
+  JsonCursor(const JsonValue& value, std::string path) : value_(&value), path_(std::move(path)) {}
+  const char* kind_name() const;
+
+  const JsonValue* value_;
+  std::string path_;
+};
+
+}  // namespace amalgam::scene

@@ -1,0 +1,28 @@
+// Makes a mesh fit for rasteriser and ray tracer: what has no area or no direction is dropped or
+// computed anew (numerics B21), and counted.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "scene/scene.h"
+
+namespace amalgam::scene {
+
+struct MeshRepairs {
+  std::size_t repeated_indices = 0;  // triangles dropped: two corners are the same vertex
+  std::size_t zero_area = 0;         // triangles dropped: no area to speak of
+  std::size_t bad_normals = 0;       // normals replaced: not finite or of length 0
+  std::size_t scaled_normals = 0;    // normals brought to length 1
+  bool computed_normals = false;     // there were none
+
+  bool any() const;
+  std::string describe() const;  // "dropped 2 triangles without area, ..."
+};
+
+// Indices must be in range and positions finite. Missing normals are computed flat, which gives
+// each triangle its own three vertices; a bad normal becomes the area-weighted mean of its
+// triangles'.
+MeshRepairs repair_mesh(Mesh& mesh);
+
+}  // namespace amalgam::scene

@@ -1,0 +1,29 @@
+// The folder a scene lives in, and the only files that a scene can make the server read.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace amalgam::scene {
+
+class SceneFolder {
+ public:
+  explicit SceneFolder(const std::filesystem::path& scene_file);
+
+  // The real path of a file named relative to the folder. Throws SceneError if it does not exist,
+  // is not a regular file or, with links followed, lies outside the folder.
+  std::filesystem::path resolve(const std::string& name) const;
+
+  // The whole file. Throws SceneError as resolve() does, or if it is larger than max_bytes.
+  std::vector<std::byte> read(const std::string& name, std::size_t max_bytes) const;
+
+ private:
+  std::filesystem::path folder_;  // canonical
+};
+
+// Throws SceneError if the file cannot be read or is larger than max_bytes.
+std::vector<std::byte> read_file(const std::filesystem::path& path, std::size_t max_bytes);
+
+}  // namespace amalgam::scene
