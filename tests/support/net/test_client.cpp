@@ -1,0 +1,181 @@
+#include "support/net/test_client.h"
+
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <sys/time.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <stdexcept>
+#include <utility>
+
+#include "protocol/limits.h"
+
+namespace amalgam::test {
+namespace {
+
+using protocol::Envelope;
+
+constexpr timeval kPatience{.tv_sec = 10, .tv_usec = 0};
+
+int connect_to(const net::HostPort& server, int receive_buffer) {
+  const int handle = ::socket(AF_INET, SOCK_STREAM, 0);
+  ::setsockopt(handle, SOL_SOCKET, SO_RCVTIMEO, &kPatience, sizeof(kPatience));
+  ::setsockopt(handle, SOL_SOCKET, SO_SNDTIMEO, &kPatience, sizeof(kPatience));
+  if (receive_buffer > 0) {
+    ::setsockopt(handle, SOL_SOCKET, SO_RCVBUF, &receive_buffer, sizeof(receive_buffer));
+  }
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(server.port);
+  ::inet_pton(AF_INET, server.host.c_str(), &address.sin_addr);
+  if (::connect(handle, reinterpret_cast<sockaddr*>(&address), sizeof(address)) != 0) {
+    ::close(handle);
+    throw std::runtime_error("connect to " + to_string(server) + ": " + std::strerror(errno));
+  }
+  return handle;
+}
+
+}  // namespace
+
+TestClient::TestClient(const net::HostPort& server, int receive_buffer)
+    : socket_(connect_to(server, receive_buffer)) {}
+
+TestClient::TestClient(TestClient&& other) noexcept
+    : socket_(std::exchange(other.socket_, -1)),
+      decoder_(std::move(other.decoder_)),
+      received_(std::move(other.received_)),
+      answer_pings_(other.answer_pings_),
+      pings_(other.pings_) {}
+
+TestClient::~TestClient() {
+  if (socket_ >= 0) ::close(socket_);
+}
+
+bool TestClient::send_bytes(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t sent = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    if (sent <= 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(sent));
+  }
+  return true;
+}
+
+void TestClient::finish_sending() {
+  ::shutdown(socket_, SHUT_WR);
+}
+
+bool TestClient::fill() {
+  std::array<std::byte, 64 * 1024> buffer;
+  const ssize_t size = ::recv(socket_, buffer.data(), buffer.size(), 0);
+  if (size < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) {
+    throw std::runtime_error("nothing came for ten seconds");
+  }
+  if (size <= 0) return false;
+  std::span<const std::byte> input(buffer.data(), static_cast<std::size_t>(size));
+  for (;;) {
+    const auto result = decoder_.next(input);
+    if (std::holds_alternative<protocol::Decoder::NeedMore>(result)) return true;
+    if (const auto* failure = std::get_if<protocol::Decoder::Failure>(&result)) {
+      throw std::runtime_error("the server sent " + failure->what);
+    }
+    received_.push_back(std::get<Envelope>(result));
+  }
+}
+
+std::optional<Envelope> TestClient::receive() {
+  for (;;) {
+    while (received_.empty()) {
+      if (!fill()) return std::nullopt;
+    }
+    Envelope envelope = std::move(received_.front());
+    received_.pop_front();
+    if (!envelope.has_ping()) return envelope;
+    ++pings_;
+    if (answer_pings_) {
+      Envelope pong;
+      pong.mutable_pong()->set_nonce(envelope.ping().nonce());
+      send(pong);
+    }
+  }
+}
+
+Envelope TestClient::expect(Envelope::BodyCase kind) {
+  std::optional<Envelope> envelope = receive();
+  if (!envelope) throw std::runtime_error("the server closed");
+  if (envelope->body_case() != kind) {
+    throw std::runtime_error("expected message " + std::to_string(kind) + ", got " +
+                             std::to_string(envelope->body_case()) +
+                             (envelope->has_error()
+                                  ? ": " + protocol::Error::Code_Name(envelope->error().code()) +
+                                        " " + envelope->error().text()
+                                  : ""));
+  }
+  return std::move(*envelope);
+}
+
+protocol::Error TestClient::expect_error(protocol::Error::Code code) {
+  protocol::Error error = expect(Envelope::kError).error();
+  if (error.code() != code) {
+    throw std::runtime_error("expected " + protocol::Error::Code_Name(code) + ", got " +
+                             protocol::Error::Code_Name(error.code()) + ": " + error.text());
+  }
+  return error;
+}
+
+Envelope hello_message() {
+  Envelope envelope;
+  protocol::Hello& hello = *envelope.mutable_hello();
+  hello.set_version(protocol::kProtocolVersion);
+  protocol::Camera& camera = *hello.mutable_camera();
+  camera.set_width(640);
+  camera.set_height(480);
+  camera.set_fx(600.0);
+  camera.set_fy(600.0);
+  camera.set_cx(319.5);
+  camera.set_cy(239.5);
+  return envelope;
+}
+
+Envelope frame_message(std::uint64_t id, std::string_view jpeg) {
+  Envelope envelope;
+  protocol::CameraFrame& frame = *envelope.mutable_camera_frame();
+  frame.set_frame_id(id);
+  frame.set_capture_time_us(id * 1000);
+  frame.set_jpeg(std::string(jpeg));
+  return envelope;
+}
+
+void add_pose(Envelope& frame, int marker, double z) {
+  protocol::Pose& pose = *frame.mutable_camera_frame()->add_poses();
+  pose.set_marker(marker);
+  pose.mutable_rotation()->set_x(1.0);
+  pose.mutable_translation()->set_z(z);
+}
+
+HttpAnswer http_get(const net::HostPort& server, const std::string& path,
+                    const std::string& method) {
+  const int handle = connect_to(server, 0);
+  const std::string request = method + " " + path + " HTTP/1.0\r\nHost: test\r\n\r\n";
+  std::string text;
+  if (::send(handle, request.data(), request.size(), MSG_NOSIGNAL) > 0) {
+    std::array<char, 4096> buffer;
+    for (ssize_t size = 0; (size = ::recv(handle, buffer.data(), buffer.size(), 0)) > 0;) {
+      text.append(buffer.data(), static_cast<std::size_t>(size));
+    }
+  }
+  ::close(handle);
+  HttpAnswer answer;
+  const std::size_t end = text.find("\r\n\r\n");
+  if (end == std::string::npos) return answer;
+  answer.head = text.substr(0, end);
+  answer.body = text.substr(end + 4);
+  answer.status = std::atoi(answer.head.c_str() + answer.head.find(' '));
+  return answer;
+}
+
+}  // namespace amalgam::test

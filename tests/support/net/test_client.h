@@ -1,0 +1,63 @@
+// A blocking client for tests: sends any bytes, good or bad, and waits for what comes back, never
+// for longer than ten seconds.
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "net/server_config.h"
+#include "protocol/framing.h"
+
+namespace amalgam::test {
+
+class TestClient {
+ public:
+  // receive_buffer: SO_RCVBUF in bytes; 0 leaves it to the kernel.
+  explicit TestClient(const net::HostPort& server, int receive_buffer = 0);
+  TestClient(TestClient&& other) noexcept;
+  TestClient& operator=(TestClient&&) = delete;
+  ~TestClient();
+
+  // False if the server has closed.
+  bool send(const protocol::Envelope& envelope) { return send_bytes(protocol::encode(envelope)); }
+  bool send_bytes(std::string_view bytes);
+  void finish_sending();
+
+  // The next message that is not a Ping (those are answered, unless told not to); nothing at the
+  // end of the connection. Throws std::runtime_error after ten seconds.
+  std::optional<protocol::Envelope> receive();
+  // The next message, which must be of this kind; std::runtime_error otherwise.
+  protocol::Envelope expect(protocol::Envelope::BodyCase kind);
+  // The next message must be this Error. Returns it.
+  protocol::Error expect_error(protocol::Error::Code code);
+  // True if the server closes without saying anything more.
+  bool closed_by_server() { return !receive().has_value(); }
+
+  void answer_pings(bool answer) { answer_pings_ = answer; }
+  std::size_t pings() const { return pings_; }
+
+ private:
+  bool fill();
+
+  int socket_ = -1;
+  protocol::Decoder decoder_{protocol::limits_of_client()};
+  std::deque<protocol::Envelope> received_;
+  bool answer_pings_ = true;
+  std::size_t pings_ = 0;
+};
+
+protocol::Envelope hello_message();  // a camera of 640 x 480, no token
+protocol::Envelope frame_message(std::uint64_t id, std::string_view jpeg = "jpeg");
+void add_pose(protocol::Envelope& frame, int marker, double z = 0.5);
+
+// The text of an HTTP answer and its status.
+struct HttpAnswer {
+  int status = 0;
+  std::string head, body;
+};
+HttpAnswer http_get(const net::HostPort& server, const std::string& path,
+                    const std::string& method = "GET");
+
+}  // namespace amalgam::test
