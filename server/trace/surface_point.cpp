@@ -1,6 +1,7 @@
 #include "trace/surface_point.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "scene/texture_lookup.h"
@@ -11,6 +12,13 @@ namespace {
 template <typename V>
 V interpolate(const V& a, const V& b, const V& c, const glm::vec2& barycentric) {
   return a * (1.0f - barycentric.x - barycentric.y) + b * barycentric.x + c * barycentric.y;
+}
+
+// A hit exactly on an edge belongs to two faces, and rounding can put it beyond the other one, from
+// where a secondary ray escapes. A millionth of the way towards the triangle's centre is inside.
+glm::vec2 pulled_inside(const glm::vec2& barycentric) {
+  constexpr float kPull = 1.0f / (1 << 20);
+  return glm::mix(barycentric, glm::vec2(1.0f / 3.0f), kPull);
 }
 
 }  // namespace
@@ -39,8 +47,8 @@ SurfacePoint surface_point(const EmbreeScene& scene, const Hit& hit, const glm::
                   c = mesh.positions[corners.z];
 
   SurfacePoint point;
-  point.position =
-      glm::vec3(placed.world_from_mesh * glm::vec4(interpolate(a, b, c, hit.barycentric), 1.0f));
+  point.position = glm::vec3(placed.world_from_mesh *
+                             glm::vec4(interpolate(a, b, c, pulled_inside(hit.barycentric)), 1.0f));
   // In double: the edges' product of a tiny triangle is below what float can hold.
   const glm::dvec3 area = glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a));
   const auto outside =

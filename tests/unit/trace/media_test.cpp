@@ -1,0 +1,36 @@
+#include "trace/media.h"
+
+#include <gtest/gtest.h>
+
+namespace amalgam::trace {
+namespace {
+
+TEST(Media, InnermostIsTheLastEntered) {
+  const Media air;
+  EXPECT_FALSE(air.innermost());
+  const Media glass = air.entered(7), bubble = glass.entered(9);
+  EXPECT_EQ(bubble.innermost(), 9u);
+  EXPECT_EQ(bubble.left(9).innermost(), 7u);
+  EXPECT_FALSE(bubble.left(9).left(7).innermost());
+}
+
+TEST(Media, LeavingAnOuterMediumKeepsTheInner) {
+  EXPECT_EQ(Media().entered(1).entered(2).left(1).innermost(), 2u);
+}
+
+TEST(Media, LeavingWhatWasNotEnteredChangesNothing) {
+  EXPECT_FALSE(Media().left(3).innermost());
+  EXPECT_EQ(Media().entered(1).left(3).innermost(), 1u);
+}
+
+TEST(Media, TooDeepNestingForgetsTheOutermost) {
+  Media media;
+  for (std::uint32_t m = 0; m < 10; ++m) media = media.entered(m);
+  EXPECT_EQ(media.innermost(), 9u);
+  for (std::uint32_t m = 9; m > 6; --m) media = media.left(m);
+  EXPECT_EQ(media.innermost(), 6u);
+  EXPECT_FALSE(media.left(6).innermost());
+}
+
+}  // namespace
+}  // namespace amalgam::trace

@@ -1,0 +1,68 @@
+#include "trace/shadow.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "support/scene_builders.h"
+
+namespace amalgam::trace {
+namespace {
+
+using test_support::add_object;
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+const Ray kUp{{0.0f, 0.01f, 0.0f}, {0, 1, 0}, kInfinity};
+
+ShadowAttenuation shadow_of(const scene::Scene& scene, const Ray& ray = kUp) {
+  EmbreeScene embree(scene);
+  scene::AnchoredScene anchored;
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i)
+    anchored.instances.push_back({i, glm::mat4(1.0f)});
+  embree.place(anchored);
+  return trace_shadow(embree, ray);
+}
+
+TEST(Shadow, VirtualOccluderDarkensTheMixedSolutionOnly) {
+  scene::Scene scene;
+  add_object(scene, test_support::make_floor(1.0f, 1.0f),
+             test_support::make_diffuse(glm::vec3(1.0f)), scene::Role::Virtual);
+  const ShadowAttenuation attenuation = shadow_of(scene);
+  EXPECT_EQ(attenuation.mixed, glm::vec3(0.0f));
+  EXPECT_EQ(attenuation.real, glm::vec3(1.0f));
+  add_object(scene, test_support::make_floor(2.0f, 1.0f),
+             test_support::make_diffuse(glm::vec3(1.0f)), scene::Role::Real);
+  EXPECT_EQ(shadow_of(scene).real, glm::vec3(0.0f))
+      << "the ray goes on behind the virtual occluder";
+}
+
+TEST(Shadow, NothingInTheWayIsExactlyOne) {
+  const ShadowAttenuation attenuation = shadow_of(scene::Scene{});
+  EXPECT_EQ(attenuation.mixed, glm::vec3(1.0f));
+  EXPECT_EQ(attenuation.real, glm::vec3(1.0f));
+}
+
+// Two surfaces at normal incidence, 0.96 each, and Beer-Lambert over the slab's 0.2 m.
+TEST(Shadow, GlassSlabTransmitsBySurfacesAndAbsorption) {
+  scene::Scene scene;
+  const glm::vec3 absorption(1.0f, 2.0f, 5.0f);
+  add_object(scene, test_support::make_box({-1, 1, -1}, {1, 1.2f, 1}),
+             test_support::make_glass(1.5f, absorption), scene::Role::Virtual);
+  const ShadowAttenuation attenuation = shadow_of(scene);
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_NEAR(attenuation.mixed[c], 0.96f * 0.96f * std::exp(-absorption[c] * 0.2f), 1e-4f);
+  }
+  EXPECT_EQ(attenuation.real, glm::vec3(1.0f));
+}
+
+TEST(Shadow, OccluderBehindTheLightDoesNotCount) {
+  scene::Scene scene;
+  add_object(scene, test_support::make_floor(2.0f, 1.0f),
+             test_support::make_diffuse(glm::vec3(1.0f)), scene::Role::Real);
+  Ray to_lamp = kUp;
+  to_lamp.t_max = 1.5f;
+  EXPECT_EQ(shadow_of(scene, to_lamp).real, glm::vec3(1.0f));
+}
+
+}  // namespace
+}  // namespace amalgam::trace

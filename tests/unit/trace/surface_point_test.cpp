@@ -1,0 +1,87 @@
+#include "trace/surface_point.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <random>
+
+#include "support/scene_builders.h"
+
+namespace amalgam::trace {
+namespace {
+
+using test_support::add_object;
+
+TEST(SurfacePoint, NormalsFaceTheRayAndFrontIsOutside) {
+  scene::Scene scene;
+  add_object(scene, test_support::make_floor(0.0f, 1.0f), test_support::make_mirror(),
+             scene::Role::Virtual);
+  EmbreeScene embree(scene);
+  scene::AnchoredScene anchored;
+  anchored.instances = {{0, glm::mat4(1.0f)}};
+  embree.place(anchored);
+  for (const float side : {1.0f, -1.0f}) {
+    const glm::vec3 direction(0.0f, -side, 0.0f);
+    const auto hit = embree.intersect({{0.2f, side, 0.3f}, direction, 10.0f}, Visible::Everything);
+    ASSERT_TRUE(hit);
+    const SurfacePoint point = surface_point(embree, *hit, direction);
+    EXPECT_EQ(point.front, side > 0.0f);
+    EXPECT_FLOAT_EQ(point.geometric_normal.y, side);
+    EXPECT_FLOAT_EQ(point.shading_normal.y, side);
+    EXPECT_NEAR(glm::distance(point.position, glm::vec3(0.2f, 0.0f, 0.3f)), 0.0f, 1e-6f);
+  }
+}
+
+// numerics B23: outside stays outside under mirroring, and normals stay upright under uneven
+// scales.
+TEST(SurfacePoint, MirroredAndStretchedInstancesKeepTheirOutside) {
+  scene::Scene scene;
+  const glm::mat4 stretch = glm::scale(glm::mat4(1.0f), glm::vec3(-2.0f, 0.5f, 1.0f));
+  add_object(scene, test_support::make_sphere(glm::vec3(0.0f), 1.0f, 64, 64),
+             test_support::make_diffuse(glm::vec3(0.5f)), scene::Role::Virtual, stretch);
+  EmbreeScene embree(scene);
+  scene::AnchoredScene anchored;
+  anchored.instances = {{0, stretch}};
+  embree.place(anchored);
+  const glm::vec3 direction(0.0f, -1.0f, 0.0f);
+  const auto hit = embree.intersect({{1.0f, 3.0f, 0.1f}, direction, 10.0f}, Visible::Everything);
+  ASSERT_TRUE(hit);
+  const SurfacePoint point = surface_point(embree, *hit, direction);
+  EXPECT_TRUE(point.front);
+  // Gradient of (x/2)^2 + (y/0.5)^2 + z^2.
+  const glm::vec3 p = point.position;
+  const glm::vec3 expected = glm::normalize(glm::vec3(p.x / 4.0f, p.y / 0.25f, p.z));
+  EXPECT_GT(glm::dot(point.shading_normal, expected), 0.999f);
+}
+
+// numerics B10: for any view above the surface the reflection ends above it too.
+TEST(ValidShadingNormal, KeepsReflectionsAboveTheSurface) {
+  std::mt19937 random(3);
+  std::normal_distribution<float> normal;
+  const auto direction = [&] {
+    return glm::normalize(glm::vec3(normal(random), normal(random), normal(random)));
+  };
+  for (int i = 0; i < 100000; ++i) {
+    const glm::vec3 geometric = direction();
+    glm::vec3 view = direction(), shading = direction();
+    if (glm::dot(view, geometric) < 0.0f) view = -view;
+    if (glm::dot(view, geometric) < 1e-4f) continue;
+    if (glm::dot(shading, geometric) < 0.0f) shading = -shading;
+    const glm::vec3 bent = valid_shading_normal(geometric, shading, view);
+    ASSERT_NEAR(glm::length(bent), 1.0f, 1e-4f);
+    ASSERT_GT(glm::dot(bent, view), 0.0f);
+    const glm::vec3 reflected = 2.0f * glm::dot(bent, view) * bent - view;
+    ASSERT_GT(glm::dot(reflected, geometric), 0.0f)
+        << glm::dot(view, geometric) << " " << glm::dot(shading, view);
+  }
+}
+
+TEST(ValidShadingNormal, LeavesGoodNormalsAlone) {
+  const glm::vec3 shading = glm::normalize(glm::vec3(0.1f, 1.0f, 0.0f));
+  EXPECT_EQ(valid_shading_normal({0, 1, 0}, shading, {0, 1, 0}), shading);
+}
+
+}  // namespace
+}  // namespace amalgam::trace
