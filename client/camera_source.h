@@ -1,0 +1,42 @@
+// Where camera images come from: a device, a film, files or the synthetic camera.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <opencv2/core/mat.hpp>
+#include <optional>
+#include <vector>
+
+#include "core/camera_model.h"
+#include "core/pose.h"
+
+namespace amalgam::client {
+
+using Bytes = std::vector<unsigned char>;
+
+struct CapturedFrame {
+  Bytes jpeg;   // what is sent: baseline, of the source's size
+  cv::Mat bgr;  // the same image as pixels, for finding markers
+  std::chrono::steady_clock::time_point captured_at;
+  std::optional<std::vector<core::MarkerPose>> true_poses;  // known by a synthetic camera only
+};
+
+class CameraSource {
+ public:
+  virtual ~CameraSource() = default;
+
+  // Pixels; the same for every frame.
+  virtual cv::Size size() const = 0;
+
+  // The next frame, or nothing at the end. Waits for a device; files come as fast as they are read.
+  // Throws std::runtime_error if a frame cannot be had or has another size.
+  virtual std::optional<CapturedFrame> next() = 0;
+
+  // True if frames come in their own time, false if the reader sets the pace.
+  virtual bool is_live() const { return false; }
+
+  // The lens, if the source knows it better than any calibration file.
+  virtual std::optional<core::CameraModel> own_camera() const { return std::nullopt; }
+};
+
+}  // namespace amalgam::client

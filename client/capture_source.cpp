@@ -1,0 +1,54 @@
+#include "client/capture_source.h"
+
+#include <filesystem>
+#include <opencv2/imgproc.hpp>
+#include <stdexcept>
+
+#include "client/jpeg_bytes.h"
+
+namespace amalgam::client {
+
+CaptureSource CaptureSource::device(int number, cv::Size size, int jpeg_quality) {
+  const std::string name = "camera " + std::to_string(number);
+  cv::VideoCapture capture(number);
+  if (!capture.isOpened()) throw std::runtime_error(name + " cannot be opened");
+  if (!size.empty()) {
+    capture.set(cv::CAP_PROP_FRAME_WIDTH, size.width);
+    capture.set(cv::CAP_PROP_FRAME_HEIGHT, size.height);
+  }
+  return {std::move(capture), true, size, jpeg_quality, name};
+}
+
+CaptureSource CaptureSource::film(const std::string& file, cv::Size size, int jpeg_quality) {
+  if (!std::filesystem::is_regular_file(file)) throw std::runtime_error(file + ": no such file");
+  cv::VideoCapture capture(file);
+  if (!capture.isOpened()) throw std::runtime_error(file + " is no film that can be read");
+  return {std::move(capture), false, size, jpeg_quality, file};
+}
+
+CaptureSource::CaptureSource(cv::VideoCapture capture, bool live, cv::Size size, int jpeg_quality,
+                             const std::string& name)
+    : capture_(std::move(capture)), size_(size), live_(live), jpeg_quality_(jpeg_quality) {
+  if (!capture_.read(first_) || first_.empty()) throw std::runtime_error(name + " has no frames");
+  if (size_.empty()) size_ = first_.size();
+}
+
+std::optional<CapturedFrame> CaptureSource::next() {
+  CapturedFrame frame;
+  if (!first_.empty()) {
+    cv::swap(frame.bgr, first_);
+  } else if (!capture_.read(frame.bgr) || frame.bgr.empty()) {
+    return std::nullopt;
+  }
+  frame.captured_at = std::chrono::steady_clock::now();
+  if (frame.bgr.size() != size_) {
+    cv::Mat scaled;
+    cv::resize(frame.bgr, scaled, size_, 0, 0, cv::INTER_AREA);
+    frame.bgr = scaled;
+  }
+  frame.bgr = frame.bgr.clone();  // the capture reuses its buffer
+  frame.jpeg = encode_jpeg(frame.bgr, jpeg_quality_);
+  return frame;
+}
+
+}  // namespace amalgam::client

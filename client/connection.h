@@ -1,0 +1,67 @@
+// The client's line to a server: stays up across broken links, sends the newest frame, hands over
+// what comes back.
+//
+// All functions are for one thread, the viewer's; the network runs on a thread of its own. Nothing
+// here blocks but wait() and the destructor.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "protocol/amalgam.pb.h"
+
+namespace amalgam::client {
+
+struct ConnectionOptions {
+  std::string host = "127.0.0.1";
+  std::string port = "7447";
+  // For the first welcome, and again for each reconnecting: after that the connection gives up.
+  std::chrono::milliseconds connect_timeout{5000};
+};
+
+// What happened, in the order in which it did.
+struct Welcomed {
+  protocol::Welcome welcome;
+};
+struct Composited {
+  protocol::Composite composite;
+  std::chrono::steady_clock::time_point at;
+};
+struct FrameError {  // the session goes on
+  protocol::Error error;
+};
+struct LinkBroken {  // being reconnected
+  std::string text;
+  std::uint64_t last_sent = 0;  // frames up to this id will not be answered any more
+};
+struct GaveUp {  // nothing more will come
+  std::string text;
+};
+using ConnectionEvent = std::variant<Welcomed, Composited, FrameError, LinkBroken, GaveUp>;
+
+class Connection {
+ public:
+  // Starts connecting at once.
+  Connection(const ConnectionOptions& options, const protocol::Hello& hello);
+  // Says goodbye, and waits up to a second for it to be heard.
+  ~Connection();
+  Connection(const Connection&) = delete;
+  Connection& operator=(const Connection&) = delete;
+
+  // Queues a frame; ids ascend. Returns the id of the frame whose place it took, which will never
+  // be sent. bytes: an encoded Envelope.
+  std::optional<std::uint64_t> send(std::uint64_t frame_id, std::string bytes);
+
+  // The next event, waiting for one up to this long.
+  std::optional<ConnectionEvent> wait(std::chrono::milliseconds timeout);
+
+ private:
+  class Worker;
+  std::unique_ptr<Worker> worker_;
+};
+
+}  // namespace amalgam::client

@@ -1,0 +1,42 @@
+#include <cstdio>
+#include <fstream>
+#include <stdexcept>
+#include <system_error>
+
+#include "client/frame_sink.h"
+
+namespace amalgam::client {
+namespace {
+
+class FolderSink : public FrameSink {
+ public:
+  explicit FolderSink(const std::filesystem::path& folder) : folder_(folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (!std::filesystem::is_directory(folder)) {
+      throw std::runtime_error("--output: " + folder.string() + " cannot be made");
+    }
+  }
+
+  void show(std::uint64_t frame_id, std::span<const unsigned char> jpeg) override {
+    char name[40];
+    std::snprintf(name, sizeof name, "frame-%06llu.jpg", static_cast<unsigned long long>(frame_id));
+    const std::filesystem::path file = folder_ / name;
+    std::ofstream out(file, std::ios::binary | std::ios::trunc);
+    out.write(reinterpret_cast<const char*>(jpeg.data()),
+              static_cast<std::streamsize>(jpeg.size()));
+    out.close();
+    if (!out) throw std::runtime_error("--output: " + file.string() + " cannot be written");
+  }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+}  // namespace
+
+std::unique_ptr<FrameSink> make_folder_sink(const std::filesystem::path& folder) {
+  return std::make_unique<FolderSink>(folder);
+}
+
+}  // namespace amalgam::client

@@ -1,0 +1,84 @@
+// One TCP connection to a server, from connecting to its end; what comes after is Connection's.
+//
+// Lives on the thread that runs its io_context and is used from there only. Answers pings itself.
+// Network loss is a normal path: it ends in Events::ended like any other end, exactly once.
+#pragma once
+
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <chrono>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "protocol/amalgam.pb.h"
+#include "protocol/framing.h"
+
+namespace amalgam::client {
+
+struct LinkEnd {
+  enum class Kind {
+    Lost,     // unreachable, broken, silent, or closed by the server: worth another try
+    Busy,     // worth another try after retry_after
+    Refused,  // the server said why, and would say it again
+    Closed,   // by us
+  };
+  Kind kind = Kind::Lost;
+  std::string text;
+  std::chrono::milliseconds retry_after{0};
+};
+
+class Link : public std::enable_shared_from_this<Link> {
+ public:
+  struct Events {
+    std::function<void(protocol::Welcome)> welcomed;
+    std::function<void(protocol::Composite)> composite;
+    std::function<void(protocol::Error)> error;  // those that the session survives
+    std::function<void()> idle;                  // nothing is being written: ready for a frame
+    std::function<void(LinkEnd)> ended;
+  };
+
+  Link(boost::asio::io_context& io, Events events);
+
+  // Connects, says hello and waits for the welcome, all within the time-out.
+  void open(const std::string& host, const std::string& port, const protocol::Hello& hello,
+            std::chrono::milliseconds timeout);
+
+  // True if a frame may be written now: welcomed, not draining, no write in flight.
+  bool is_idle() const { return state_ == State::Running && writing_.empty(); }
+  void write_frame(std::string bytes);
+
+  // Says goodbye and waits a little for the server to close.
+  void close();
+
+ private:
+  using ErrorCode = boost::system::error_code;
+  enum class State { Connecting, AwaitingWelcome, Running, Draining, Closing, Ended };
+
+  void connect(const boost::asio::ip::tcp::resolver::results_type& endpoints);
+  void read();
+  void take(std::span<const std::byte> input);
+  void visit(protocol::Envelope& envelope);
+  void on_error(protocol::Error& error);
+  void send_control(const protocol::Envelope& envelope);
+  void write(std::string bytes);
+  void write_next();
+  void expect_within(std::chrono::milliseconds time, std::string what);
+  void fail(const ErrorCode& ec, const char* what);
+  void end(LinkEnd::Kind kind, std::string text, std::chrono::milliseconds retry_after = {});
+
+  boost::asio::ip::tcp::resolver resolver_;
+  boost::asio::ip::tcp::socket socket_;
+  boost::asio::steady_timer timer_;
+  Events events_;
+  State state_ = State::Connecting;
+  std::string hello_;
+  std::vector<std::byte> read_buffer_;
+  protocol::Decoder decoder_;
+  std::deque<std::string> control_;  // goes before frames
+  std::string writing_;              // the one write in flight
+};
+
+}  // namespace amalgam::client

@@ -1,0 +1,126 @@
+// amalgam-client: a camera, a connection and a place for the composites.
+
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <fstream>
+#include <memory>
+#include <opencv2/core/utils/logger.hpp>
+#include <stdexcept>
+
+#include "client/calibration.h"
+#include "client/capture_source.h"
+#include "client/images_source.h"
+#include "client/messages.h"
+#include "client/options.h"
+#include "client/summary.h"
+#include "client/synthetic_source.h"
+#include "core/log.h"
+#include "protocol/limits.h"
+
+namespace amalgam::client {
+namespace {
+
+std::atomic<bool> stop_requested = false;
+static_assert(std::atomic<bool>::is_always_lock_free);  // set from a signal handler
+
+const cv::Size kSyntheticSize{800, 600};
+
+std::string read_token(const std::string& file) {
+  if (file.empty()) return {};
+  std::ifstream in(file);
+  std::string token;
+  if (!std::getline(in, token)) throw std::runtime_error("token file " + file + " cannot be read");
+  if (!token.empty() && token.back() == '\r') token.pop_back();
+  if (token.empty() || token.size() > protocol::kMaxTokenBytes) {
+    throw std::runtime_error("token file " + file + " must hold 1 to " +
+                             std::to_string(protocol::kMaxTokenBytes) + " characters");
+  }
+  return token;
+}
+
+core::CameraModel camera_for(const Options& options, cv::Size size) {
+  if (!options.calibration.empty()) {
+    return fit_to_image(load_calibration(options.calibration), size.width, size.height);
+  }
+  if (!options.synthetic) {
+    core::log_warn("no --calibration: a 60 degrees wide lens is assumed, positions will be off");
+  }
+  return default_camera(size.width, size.height);
+}
+
+std::unique_ptr<CameraSource> make_source(const Options& options) {
+  const int quality = options.camera_quality;
+  if (options.camera) {
+    return std::make_unique<CaptureSource>(
+        CaptureSource::device(*options.camera, options.size, quality));
+  }
+  if (!options.video.empty()) {
+    return std::make_unique<CaptureSource>(
+        CaptureSource::film(options.video, options.size, quality));
+  }
+  if (!options.images.empty()) {
+    return std::make_unique<ImagesSource>(ImagesOptions{.patterns = options.images,
+                                                        .size = options.size,
+                                                        .jpeg_quality = quality,
+                                                        .repeat = options.repeat_images});
+  }
+  const cv::Size size = options.size.empty() ? kSyntheticSize : options.size;
+  return std::make_unique<SyntheticSource>(camera_for(options, size), options.true_poses, quality);
+}
+
+std::unique_ptr<FrameSink> make_sink(const Options& options) {
+  if (options.display) return make_display_sink();
+  if (!options.record.empty()) return make_record_sink(options.record, options.viewer.rate);
+  if (!options.output.empty()) return make_folder_sink(options.output);
+  return nullptr;
+}
+
+int run(const Options& options) {
+  core::set_log_level(options.log_level);
+  const std::string token = read_token(options.token_file);
+  const auto sink = make_sink(options);
+  const auto source = make_source(options);
+  const core::CameraModel camera =
+      source->own_camera() ? *source->own_camera() : camera_for(options, source->size());
+  Connection connection(options.connection,
+                        hello_message(camera, token, options.composite_quality));
+  Viewer viewer(options.viewer, camera, *source, sink.get(), connection, stop_requested);
+  const ViewerSummary summary = viewer.run();
+  if (summary.frames.captured > 0 || !summary.gave_up) {
+    const std::string text = options.json ? summary_json(summary) + "\n" : summary_text(summary);
+    std::fputs(text.c_str(), stdout);
+  }
+  if (summary.gave_up) throw std::runtime_error(summary.last_error);
+  if (summary.frames.captured > 0 && summary.frames.composited == 0) {
+    throw std::runtime_error("no frame was composited" + (summary.last_error.empty()
+                                                              ? std::string()
+                                                              : ": " + summary.last_error));
+  }
+  return EXIT_SUCCESS;
+}
+
+}  // namespace
+}  // namespace amalgam::client
+
+int main(int argc, char** argv) {
+  using namespace amalgam::client;
+  try {
+    // Complaints of video backends that were merely tried would hide the one line that matters.
+    cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+    int exit_code = EXIT_FAILURE;
+    const auto options = parse_options(argc, argv, exit_code);
+    if (!options) return exit_code;
+    const auto request_stop = [](int) { stop_requested = true; };
+    std::signal(SIGINT, request_stop);
+    std::signal(SIGTERM, request_stop);
+    return run(*options);
+  } catch (const std::exception& error) {
+    std::string what = error.what();
+    what = what.substr(0, what.find('\n'));  // OpenCV's have several lines
+    std::fprintf(stderr, "amalgam-client: %s\n", what.c_str());
+    return EXIT_FAILURE;
+  }
+}

@@ -1,0 +1,163 @@
+#include "client/options.h"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <stdexcept>
+
+#include "protocol/limits.h"
+
+namespace amalgam::client {
+namespace {
+
+std::optional<int> parse_number(std::string_view text, int low, int high) {
+  int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  if (value < low || value > high) return std::nullopt;
+  return value;
+}
+
+// Turns what a parser throws into CLI11's complaint about the option.
+template <typename Parser>
+CLI::Validator checked_by(Parser parser) {
+  return CLI::Validator(
+      [parser](const std::string& text) -> std::string {
+        try {
+          parser(text);
+          return {};
+        } catch (const std::runtime_error& error) {
+          return error.what();
+        }
+      },
+      {});
+}
+
+void add_source(CLI::App& app, Options& options) {
+  auto* source = app.add_option_group("source", "exactly one of");
+  source->add_option("--camera", options.camera, "camera device number")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1000));
+  source->add_option("--video", options.video, "film file")->type_name("FILE");
+  source
+      ->add_option("--images", options.images,
+                   "image files or glob patterns, in the order of their names; baseline JPEG is "
+                   "sent byte for byte")
+      ->type_name("GLOB");
+  source->add_flag("--synthetic", options.synthetic,
+                   "a desk with marker 40 (DICT_6X6_250, 0.05 m), filmed from a known path");
+  source->require_option(1);
+}
+
+void add_sink(CLI::App& app, Options& options) {
+  auto* sink = app.add_option_group("sink", "at most one of");
+  sink->add_flag("--display", options.display, "a window; q or Escape ends");
+  sink->add_option("--record", options.record, "film file")->type_name("FILE.mp4");
+  sink->add_option("--output", options.output,
+                   "folder for each composite as received, frame-000001.jpg by frame id")
+      ->type_name("DIR");
+  sink->require_option(0, 1);
+}
+
+}  // namespace
+
+void set_server(const std::string& text, ConnectionOptions& connection) {
+  const std::size_t colon = text.rfind(':');
+  std::string host = colon == std::string::npos ? "" : text.substr(0, colon);
+  const std::string port = colon == std::string::npos ? "" : text.substr(colon + 1);
+  if (host.size() > 2 && host.front() == '[' && host.back() == ']') {
+    host = host.substr(1, host.size() - 2);
+  }
+  constexpr int kMaxPort = 65535;
+  if (host.empty() || !parse_number(port, 1, kMaxPort)) {
+    throw std::runtime_error("'" + text + "' is not host:port");
+  }
+  connection.host = host;
+  connection.port = port;
+}
+
+cv::Size parse_size(const std::string& text) {
+  constexpr int kMax = static_cast<int>(protocol::kMaxSide);
+  const std::size_t x = text.find('x');
+  const auto width = parse_number(text.substr(0, x), 1, kMax);
+  const auto height =
+      x == std::string::npos ? std::nullopt : parse_number(text.substr(x + 1), 1, kMax);
+  if (!width || !height) {
+    throw std::runtime_error("'" + text + "' is not WxH with sides of 1 to " +
+                             std::to_string(kMax) + " pixels");
+  }
+  return {*width, *height};
+}
+
+std::optional<Options> parse_options(int argc, const char* const* argv, int& exit_code) {
+  Options options;
+  CLI::App app("Sends camera images to an Amalgam server and receives them with virtual objects.",
+               "amalgam-client");
+  app.option_defaults()->always_capture_default();
+  app.failure_message([](const CLI::App*, const CLI::Error& error) {
+    return std::string("amalgam-client: ") + error.what() + " (--help lists the options)\n";
+  });
+  std::string server = "127.0.0.1:7447", size, synthetic_poses = "detected";
+  double connect_timeout = 5.0;
+  const auto check_server = [](const std::string& text) {
+    ConnectionOptions ignored;
+    set_server(text, ignored);
+  };
+  app.add_option("--server", server, "server's address")
+      ->type_name("HOST:PORT")
+      ->check(checked_by(check_server));
+  app.add_option("--connect-timeout", connect_timeout,
+                 "seconds to find the server, at first and after each loss")
+      ->type_name("S")
+      ->check(CLI::Range(0.1, 3600.0));
+  app.add_option("--token-file", options.token_file, "file with the server's secret")
+      ->type_name("FILE");
+  add_source(app, options);
+  add_sink(app, options);
+  app.add_option("--calibration", options.calibration,
+                 "OpenCV calibration file (.yml); without it 60 degrees of width are assumed")
+      ->type_name("FILE");
+  app.add_option("--size", size,
+                 "image size, pixels (default: the source's own; 800x600 for --synthetic)")
+      ->type_name("WxH")
+      ->check(checked_by(parse_size));
+  app.add_option("--quality", options.composite_quality,
+                 "JPEG quality of composites, 1 to 100; 0: the server's default, and unaffected "
+                 "frames come back byte for byte")
+      ->type_name("Q")
+      ->check(CLI::Range(0, 100));
+  app.add_option("--camera-quality", options.camera_quality,
+                 "JPEG quality of images that have to be encoded for sending, 1 to 100")
+      ->type_name("Q")
+      ->check(CLI::Range(1, 100));
+  app.add_option("--synthetic-poses", synthetic_poses,
+                 "poses of --synthetic: as detected in the image, or the true ones")
+      ->type_name("detected|true")
+      ->check(CLI::IsMember({"detected", "true"}));
+  app.add_flag("--repeat-images", options.repeat_images, "begin --images again after the last");
+  app.add_option("--frames", options.viewer.frames, "frames to capture; 0: until the source ends")
+      ->type_name("N");
+  app.add_option("--rate", options.viewer.rate,
+                 "frames a second from files and --synthetic, and of --record")
+      ->type_name("HZ")
+      ->check(CLI::Range(0.01, 1000.0));
+  app.add_flag("--lockstep", options.viewer.lockstep,
+               "wait for the answer to each frame before the next, whatever the rate");
+  app.add_flag("--json", options.json, "print the summary as one JSON object");
+  app.add_option("--log-level", options.log_level, "of messages on standard error")
+      ->type_name("LEVEL")
+      ->check(CLI::IsMember({"trace", "debug", "info", "warn", "error", "off"}));
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    exit_code = app.exit(error);
+    return std::nullopt;
+  }
+  set_server(server, options.connection);
+  options.connection.connect_timeout =
+      std::chrono::milliseconds(static_cast<std::int64_t>(connect_timeout * 1000.0));
+  if (!size.empty()) options.size = parse_size(size);
+  options.true_poses = synthetic_poses == "true";
+  return options;
+}
+
+}  // namespace amalgam::client

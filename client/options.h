@@ -1,0 +1,47 @@
+// The command line of amalgam-client.
+#pragma once
+
+#include <opencv2/core/types.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "client/connection.h"
+#include "client/viewer.h"
+
+namespace amalgam::client {
+
+struct Options {
+  ConnectionOptions connection;
+  std::string token_file;
+  int composite_quality = 0;  // 0: the server's default
+  int camera_quality = 92;
+
+  std::optional<int> camera;
+  std::string video;
+  std::vector<std::string> images;
+  bool repeat_images = false;
+  bool synthetic = false;
+  bool true_poses = false;
+  cv::Size size;  // empty: the source's own
+  std::string calibration;
+
+  bool display = false;
+  std::string record;
+  std::string output;
+
+  ViewerOptions viewer;
+  bool json = false;
+  std::string log_level = "warn";
+};
+
+// Nothing if the program is to end now with the exit code (help, or a mistake that was said).
+std::optional<Options> parse_options(int argc, const char* const* argv, int& exit_code);
+
+// "host:port" or "[address]:port". Throws std::runtime_error.
+void set_server(const std::string& text, ConnectionOptions& connection);
+
+// "800x600" in pixels. Throws std::runtime_error.
+cv::Size parse_size(const std::string& text);
+
+}  // namespace amalgam::client

@@ -1,0 +1,56 @@
+#include "client/summary.h"
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+namespace amalgam::client {
+
+std::string summary_text(const ViewerSummary& summary) {
+  const FrameCounts& frames = summary.frames;
+  const auto number = [](std::uint64_t value) { return std::to_string(value); };
+  char latency[120];
+  std::snprintf(latency, sizeof latency, "latency    median %.1f ms, p95 %.1f ms, p99 %.1f ms",
+                summary.latency.median, summary.latency.p95, summary.latency.p99);
+  std::string text = "frames     " + number(frames.captured) + " captured, " +
+                     number(frames.composited) + " composited (" + number(frames.unchanged) +
+                     " unchanged), " + number(frames.skipped_by_client) + " skipped here, " +
+                     number(frames.skipped_by_server) + " skipped by the server, " +
+                     number(frames.rejected) + " rejected, " + number(frames.lost) + " lost\n";
+  text += std::string(latency) + " (capture to composite)\n";
+  text += "markers    " + number(summary.markers.poses) + " poses in " +
+          number(summary.markers.images) + " images, " + number(summary.markers.repeated) +
+          " repeated, " + number(summary.markers.unsolved) + " unsolved\n";
+  text += "connection " + number(summary.reconnects) + " reconnects, " +
+          number(summary.server_errors) + " errors";
+  if (!summary.last_error.empty()) text += ", last: " + summary.last_error;
+  return text + "\n";
+}
+
+std::string summary_json(const ViewerSummary& summary) {
+  const FrameCounts& frames = summary.frames;
+  const nlohmann::ordered_json json{{"frames",
+                                     {{"captured", frames.captured},
+                                      {"composited", frames.composited},
+                                      {"unchanged", frames.unchanged},
+                                      {"skipped_by_client", frames.skipped_by_client},
+                                      {"skipped_by_server", frames.skipped_by_server},
+                                      {"rejected", frames.rejected},
+                                      {"lost", frames.lost}}},
+                                    {"latency_ms",
+                                     {{"median", summary.latency.median},
+                                      {"p95", summary.latency.p95},
+                                      {"p99", summary.latency.p99}}},
+                                    {"markers",
+                                     {{"images", summary.markers.images},
+                                      {"poses", summary.markers.poses},
+                                      {"repeated", summary.markers.repeated},
+                                      {"unsolved", summary.markers.unsolved}}},
+                                    {"reconnects", summary.reconnects},
+                                    {"server_errors", summary.server_errors},
+                                    {"last_error", summary.last_error},
+                                    {"seconds", summary.seconds}};
+  // Texts come from the server: bytes that are no UTF-8 must not end the program.
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+}  // namespace amalgam::client

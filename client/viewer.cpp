@@ -1,0 +1,135 @@
+#include "client/viewer.h"
+
+#include <algorithm>
+
+#include "client/messages.h"
+#include "core/log.h"
+#include "protocol/framing.h"
+
+namespace amalgam::client {
+namespace {
+
+using std::chrono::milliseconds;
+
+// The longest that a signal or a key press goes unnoticed.
+constexpr milliseconds kMaxWait{50};
+// The last answers are waited for this long; a server that is alive answers or pings well before.
+constexpr std::chrono::seconds kFinishTimeout{30};
+
+}  // namespace
+
+Viewer::Viewer(const ViewerOptions& options, const core::CameraModel& camera, CameraSource& source,
+               FrameSink* sink, Connection& connection, const std::atomic<bool>& stop)
+    : options_(options),
+      camera_(camera),
+      source_(source),
+      sink_(sink),
+      connection_(connection),
+      stop_(stop) {}
+
+ViewerSummary Viewer::run() {
+  if (wait_for_welcome()) {
+    const Clock::time_point start = Clock::now();
+    stream();
+    finish();
+    summary_.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  }
+  summary_.frames = ledger_.counts();
+  summary_.latency = ledger_.latency();
+  if (tracker_) summary_.markers = tracker_->counts();
+  return summary_;
+}
+
+bool Viewer::wait_for_welcome() {
+  while (!tracker_ && !is_stopped()) handle_next(kMaxWait);
+  return tracker_.has_value() && !is_stopped();
+}
+
+void Viewer::stream() {
+  const auto interval = std::chrono::duration_cast<Clock::duration>(
+      std::chrono::duration<double>(1.0 / options_.rate));
+  Clock::time_point due = Clock::now();
+  while (!is_stopped() && (options_.frames == 0 || last_id_ < options_.frames)) {
+    const auto frame = source_.next();
+    if (!frame) return;
+    send(*frame);
+    while (handle_next(milliseconds(0))) {
+    }
+    while (options_.lockstep && ledger_.has_open() && !is_stopped()) handle_next(kMaxWait);
+    if (options_.lockstep || source_.is_live()) continue;
+    // A machine that cannot keep the rate sends as fast as it can, and does not catch up in a
+    // burst.
+    due = std::max(due + interval, Clock::now() - interval);
+    while (Clock::now() < due && !is_stopped()) {
+      handle_next(std::min(std::chrono::ceil<milliseconds>(due - Clock::now()), kMaxWait));
+    }
+  }
+}
+
+void Viewer::finish() {
+  const Clock::time_point deadline = Clock::now() + kFinishTimeout;
+  while (ledger_.has_open() && !is_stopped() && Clock::now() < deadline) {
+    handle_next(kMaxWait);
+  }
+  ledger_.lost_up_to(last_id_);
+}
+
+void Viewer::send(const CapturedFrame& frame) {
+  const std::uint64_t id = ++last_id_;
+  ledger_.captured(id, frame.captured_at);
+  const std::vector<core::MarkerPose> poses =
+      frame.true_poses ? *frame.true_poses : tracker_->track(frame.bgr);
+  std::string bytes = protocol::encode(frame_message(id, frame, poses));
+  if (const auto replaced = connection_.send(id, std::move(bytes))) ledger_.skipped(*replaced);
+}
+
+bool Viewer::handle_next(milliseconds timeout) {
+  auto event = connection_.wait(timeout);
+  if (event) std::visit([this](auto& happened) { handle(happened); }, *event);
+  if (sink_ != nullptr && sink_->wants_to_stop()) stopped_by_user_ = true;
+  return event.has_value();
+}
+
+void Viewer::handle(Welcomed& event) {
+  if (tracker_) {
+    ++summary_.reconnects;
+    return;
+  }
+  const protocol::Markers& markers = event.welcome.markers();
+  TrackerOptions options;
+  options.dictionary = markers.dictionary();
+  options.marker_length = markers.length();
+  options.ids.assign(markers.ids().begin(), markers.ids().end());
+  tracker_.emplace(options, camera_);
+}
+
+void Viewer::handle(Composited& event) {
+  const protocol::Composite& composite = event.composite;
+  if (!ledger_.is_open(composite.frame_id())) return;
+  ledger_.composited(composite.frame_id(), composite.unchanged(), event.at);
+  if (sink_ == nullptr) return;
+  const auto* bytes = reinterpret_cast<const unsigned char*>(composite.jpeg().data());
+  sink_->show(composite.frame_id(), {bytes, composite.jpeg().size()});
+}
+
+void Viewer::handle(FrameError& event) {
+  ++summary_.server_errors;
+  summary_.last_error = protocol::Error::Code_Name(event.error.code()) + ": " + event.error.text();
+  core::log_warn("frame " + std::to_string(event.error.frame_id()) + ": " + summary_.last_error);
+  // A frame with a bad pose is still rendered, with the last good one or without.
+  if (event.error.code() != protocol::Error::POSE_REJECTED)
+    ledger_.rejected(event.error.frame_id());
+}
+
+void Viewer::handle(LinkBroken& event) {
+  core::log_warn("connection lost (" + event.text + "), reconnecting");
+  ledger_.lost_up_to(event.last_sent);
+}
+
+void Viewer::handle(GaveUp& event) {
+  summary_.gave_up = true;
+  summary_.last_error = event.text;
+  ledger_.lost_up_to(last_id_);
+}
+
+}  // namespace amalgam::client

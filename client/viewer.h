@@ -1,0 +1,70 @@
+// The client's loop: capture, find markers, send, and hand composites to the sink.
+#pragma once
+
+#include <atomic>
+#include <optional>
+#include <string>
+
+#include "client/camera_source.h"
+#include "client/connection.h"
+#include "client/frame_ledger.h"
+#include "client/frame_sink.h"
+#include "client/marker_tracker.h"
+
+namespace amalgam::client {
+
+struct ViewerOptions {
+  std::uint64_t frames = 0;  // to capture; 0: until the source ends
+  double rate = 30.0;        // frames a second, of sources that have no time of their own
+  bool lockstep = false;     // wait for the answer to each frame before the next
+};
+
+struct ViewerSummary {
+  FrameCounts frames;
+  LatencySummary latency;  // milliseconds
+  TrackerCounts markers;
+  std::uint64_t reconnects = 0;
+  std::uint64_t server_errors = 0;  // Error messages that the session survived
+  std::string last_error;           // the last of these, or why the connection was given up
+  bool gave_up = false;             // the connection ended before the frames did
+  double seconds = 0.0;             // from the first capture to the end
+};
+
+class Viewer {
+ public:
+  // sink may be null. stop is set from outside (a signal) to end early.
+  Viewer(const ViewerOptions& options, const core::CameraModel& camera, CameraSource& source,
+         FrameSink* sink, Connection& connection, const std::atomic<bool>& stop);
+
+  // Until all frames are captured and accounted for, the user stops it, or the connection gives up.
+  ViewerSummary run();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  bool wait_for_welcome();
+  void stream();
+  void finish();
+  void send(const CapturedFrame& frame);
+  bool handle_next(std::chrono::milliseconds timeout);  // false: nothing has happened in that time
+  void handle(Welcomed& event);
+  void handle(Composited& event);
+  void handle(FrameError& event);
+  void handle(LinkBroken& event);
+  void handle(GaveUp& event);
+  bool is_stopped() const { return stop_ || stopped_by_user_ || summary_.gave_up; }
+
+  const ViewerOptions options_;
+  const core::CameraModel camera_;
+  CameraSource& source_;
+  FrameSink* sink_;
+  Connection& connection_;
+  const std::atomic<bool>& stop_;
+  std::optional<MarkerTracker> tracker_;  // once the server has said what to look for
+  FrameLedger ledger_;
+  ViewerSummary summary_;
+  std::uint64_t last_id_ = 0;
+  bool stopped_by_user_ = false;
+};
+
+}  // namespace amalgam::client
