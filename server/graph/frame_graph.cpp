@@ -13,6 +13,16 @@ void FrameGraph::add_pass(std::string name, const std::function<void(Builder&)>&
   declare(builder);
 }
 
+FrameGraph::Declared FrameGraph::add_pass(std::string name,
+                                          const std::function<void(Builder&)>& declare) {
+  add_pass(std::move(name), declare, {});
+  return {*this, passes_.size() - 1};
+}
+
+void FrameGraph::Declared::runs(std::function<void(const Access&)> execute) const {
+  graph_.passes_[pass_].execute = std::move(execute);
+}
+
 void FrameGraph::note_left_out(std::string name, std::string reason) {
   passes_.push_back(
       {.report = {.name = std::move(name), .reason = std::move(reason)}, .execute = {}});

@@ -44,18 +44,18 @@ void draw_diffuse(const DiffuseInputs& in, const graph::Access& access, const gl
 
 DiffuseOutputs add_diffuse_pass(graph::FrameGraph& graph, const DiffuseInputs& in) {
   DiffuseOutputs out;
-  graph.add_pass(
-      "diffuse",
-      [&](graph::Builder& builder) {
-        builder.needs(in.mask.diffuse);
-        builder.needs(in.mask.device);
-        builder.needs(in.device_view);
-        builder.needs(in.shadows.lights);
-        for (const auto& map : in.shadows.maps) builder.uses(map);
-        out.mixed = builder.writes<DeviceImage>("I_m");
-        out.real = builder.writes<DeviceImage>("I_r");
-      },
-      [in, out](const graph::Access& access) {
+  graph
+      .add_pass("diffuse",
+                [&](graph::Builder& builder) {
+                  builder.needs(in.mask.diffuse);
+                  builder.needs(in.mask.device);
+                  builder.needs(in.device_view);
+                  builder.needs(in.shadows.lights);
+                  for (const auto& map : in.shadows.maps) builder.uses(map);
+                  out.mixed = builder.writes<DeviceImage>("I_m");
+                  out.real = builder.writes<DeviceImage>("I_r");
+                })
+      .runs([in, out](const graph::Access& access) {
         const glm::ivec2 size = sample_size(in.view);
         RasterTargets& targets = in.raster.targets;
         const gl::Texture& mixed = ensure_target(targets.mixed, gl::TextureFormat::Rgba32f, size);

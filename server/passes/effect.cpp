@@ -26,14 +26,14 @@ bool anything_virtual_shows(const RasterContext& raster, DeviceImage mixed, Devi
 
 EffectOutputs add_effect_pass(graph::FrameGraph& graph, const EffectInputs& in) {
   EffectOutputs out;
-  graph.add_pass(
-      "effect",
-      [&](graph::Builder& builder) {
-        builder.needs(in.diffuse.mixed);
-        builder.needs(in.diffuse.real);
-        out.effect = builder.writes<DiffuseEffect>("diffuse effect");
-      },
-      [in, out](const graph::Access& access) {
+  graph
+      .add_pass("effect",
+                [&](graph::Builder& builder) {
+                  builder.needs(in.diffuse.mixed);
+                  builder.needs(in.diffuse.real);
+                  out.effect = builder.writes<DiffuseEffect>("diffuse effect");
+                })
+      .runs([in, out](const graph::Access& access) {
         if (anything_virtual_shows(in.raster, access.get(in.diffuse.mixed),
                                    access.get(in.diffuse.real))) {
           access.set(out.effect, DiffuseEffect{});

@@ -45,17 +45,17 @@ SampleCounts count(const SampleMask& mask) {
 
 MaskOutputs add_mask_pass(graph::FrameGraph& graph, const MaskInputs& in) {
   MaskOutputs out;
-  graph.add_pass(
-      "mask",
-      [&](graph::Builder& builder) {
-        builder.needs(in.device_view);
-        out.device = builder.writes<DeviceMask>("device mask");
-        out.mask = builder.writes<SampleMask>("M_v and M_r");
-        out.counts = builder.writes<SampleCounts>("sample counts");
-        out.specular = builder.writes<SpecularSamples>("specular samples");
-        out.diffuse = builder.writes<DiffuseSamples>("diffuse samples");
-      },
-      [in, out](const graph::Access& access) {
+  graph
+      .add_pass("mask",
+                [&](graph::Builder& builder) {
+                  builder.needs(in.device_view);
+                  out.device = builder.writes<DeviceMask>("device mask");
+                  out.mask = builder.writes<SampleMask>("M_v and M_r");
+                  out.counts = builder.writes<SampleCounts>("sample counts");
+                  out.specular = builder.writes<SpecularSamples>("specular samples");
+                  out.diffuse = builder.writes<DiffuseSamples>("diffuse samples");
+                })
+      .runs([in, out](const graph::Access& access) {
         const DeviceMask device = draw_mask(in, access.get(in.device_view));
         SampleMask mask = read_mask(*device.flags);
         const SampleCounts counts = count(mask);

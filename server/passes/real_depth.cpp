@@ -39,14 +39,14 @@ RealDepth draw_real_depth(const RealDepthInputs& in, const DeviceView& device_vi
 
 RealDepthOutputs add_real_depth_pass(graph::FrameGraph& graph, const RealDepthInputs& in) {
   RealDepthOutputs out;
-  graph.add_pass(
-      "real depth",
-      [&](graph::Builder& builder) {
-        builder.needs(in.specular);
-        builder.needs(in.device_view);
-        out.depth = builder.writes<RealDepth>("real-only depth");
-      },
-      [in, out](const graph::Access& access) {
+  graph
+      .add_pass("real depth",
+                [&](graph::Builder& builder) {
+                  builder.needs(in.specular);
+                  builder.needs(in.device_view);
+                  out.depth = builder.writes<RealDepth>("real-only depth");
+                })
+      .runs([in, out](const graph::Access& access) {
         const DeviceView& device_view = access.get(in.device_view);
         if (std::any_of(device_view.items.begin(), device_view.items.end(), is_real)) {
           access.set(out.depth, draw_real_depth(in, device_view));

@@ -40,16 +40,16 @@ std::pair<core::ImageRgb32f, std::uint64_t> split(const core::ImageRgba32f& imag
 
 ResolveOutputs add_resolve_pass(graph::FrameGraph& graph, const ResolveInputs& in) {
   ResolveOutputs out;
-  graph.add_pass(
-      "resolve",
-      [&](graph::Builder& builder) {
-        builder.needs(in.diffuse.mixed);
-        builder.needs(in.diffuse.real);
-        builder.needs(in.exposure);
-        out.layers = builder.writes<Layers>("diffuse layers");
-        out.nonfinite = builder.writes<std::uint64_t>("non-finite diffuse values");
-      },
-      [in, out](const graph::Access& access) {
+  graph
+      .add_pass("resolve",
+                [&](graph::Builder& builder) {
+                  builder.needs(in.diffuse.mixed);
+                  builder.needs(in.diffuse.real);
+                  builder.needs(in.exposure);
+                  out.layers = builder.writes<Layers>("diffuse layers");
+                  out.nonfinite = builder.writes<std::uint64_t>("non-finite diffuse values");
+                })
+      .runs([in, out](const graph::Access& access) {
         const glm::ivec2 size(in.view.ideal.width, in.view.ideal.height);
         RasterTargets& targets = in.raster.targets;
         const gl::Texture& over = ensure_target(targets.over, gl::TextureFormat::Rgba32f, size);

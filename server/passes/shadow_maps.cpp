@@ -46,10 +46,10 @@ graph::Handle<SharedLights> add_lights(graph::FrameGraph& graph, const ShadowMap
     return graph.import("lights", in.cache.lights);
   }
   graph::Handle<SharedLights> out;
-  graph.add_pass(
-      "upload lights",
-      [&](graph::Builder& builder) { out = builder.writes<SharedLights>("lights"); },
-      [in, out](const graph::Access& access) {
+  graph
+      .add_pass("upload lights",
+                [&](graph::Builder& builder) { out = builder.writes<SharedLights>("lights"); })
+      .runs([in, out](const graph::Access& access) {
         in.raster.context.check_thread();
         ShadowLayout layout = make_shadow_layout(in.view, in.raster.scene, in.options.size);
         gl::Buffer lights = gl::Buffer::of(std::span<const gl::GpuLight>(layout.gpu_lights));
@@ -121,14 +121,14 @@ graph::Handle<ShadowMap> add_caster_class(graph::FrameGraph& graph, const Shadow
     return graph.import(resource, ShadowMap{&*entry.image});
   }
   graph::Handle<ShadowMap> out;
-  graph.add_pass(
-      pass,
-      [&](graph::Builder& builder) {
-        builder.needs(lights);
-        builder.needs(in.device_view);
-        out = builder.writes<ShadowMap>(resource);
-      },
-      [in, casters, lights, out, &entry](const graph::Access& access) {
+  graph
+      .add_pass(pass,
+                [&](graph::Builder& builder) {
+                  builder.needs(lights);
+                  builder.needs(in.device_view);
+                  out = builder.writes<ShadowMap>(resource);
+                })
+      .runs([in, casters, lights, out, &entry](const graph::Access& access) {
         const SharedLights& device_lights = access.get(lights);
         const gl::Texture& image = ensure_layers(entry.image, casters, device_lights->layout);
         device_lights->layers.bind_storage(gl::kShadowLayersBinding);

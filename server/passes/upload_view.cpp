@@ -73,10 +73,12 @@ glm::dmat4 clip_from_camera(const core::CameraModel& ideal) {
 
 UploadViewOutputs add_upload_view_pass(graph::FrameGraph& graph, const UploadViewInputs& in) {
   UploadViewOutputs out;
-  graph.add_pass(
-      "upload view",
-      [&](graph::Builder& builder) { out.device_view = builder.writes<DeviceView>("device view"); },
-      [in, out](const graph::Access& access) {
+  graph
+      .add_pass("upload view",
+                [&](graph::Builder& builder) {
+                  out.device_view = builder.writes<DeviceView>("device view");
+                })
+      .runs([in, out](const graph::Access& access) {
         in.raster.context.check_thread();
         access.set(out.device_view, upload(in.raster, in.view));
       });

@@ -1,0 +1,57 @@
+// All raster passes wired up as the renderer wires them, for one scene, so that a test says only
+// what it looks at.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gl/egl_context.h"
+#include "graph/frame_graph.h"
+#include "passes/diffuse.h"
+#include "passes/effect.h"
+#include "passes/mask.h"
+#include "passes/raster_context.h"
+#include "passes/read_back.h"
+#include "passes/real_depth.h"
+#include "passes/resolve.h"
+#include "passes/shadow_maps.h"
+#include "passes/upload_view.h"
+
+namespace amalgam::test_support {
+
+// What one frame gave; nothing where the graph left it out.
+struct RasterFrame {
+  std::optional<passes::SampleMask> mask;
+  std::optional<passes::SampleCounts> counts;
+  std::optional<passes::RealDepth> real_depth;
+  std::optional<core::ImageRgba32f> mixed, real;  // I_m, I_r
+  std::optional<passes::Layers> layers;
+  std::uint64_t nonfinite = 0;
+  bool diffuse_effect = false;
+  std::vector<graph::PassReport> reports;
+
+  // The report of a pass; aborts the test program if there is none.
+  const graph::PassReport& report(const std::string& pass) const;
+};
+
+class RasterRig {
+ public:
+  explicit RasterRig(const scene::Scene& scene);
+
+  // Realises everything that there is.
+  RasterFrame render(const passes::RenderView& view, float exposure = 1.0f);
+
+  passes::ShadowOptions shadow_options{};
+
+ private:
+  std::shared_ptr<gl::EglContext> context_;  // one for the whole test program
+  gl::GpuScene scene_;
+  gl::ShaderLibrary shaders_;
+  passes::RasterTargets targets_;
+  passes::ShadowCache shadows_;
+};
+
+}  // namespace amalgam::test_support
