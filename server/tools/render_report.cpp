@@ -1,0 +1,68 @@
+#include "tools/render_report.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <map>
+#include <nlohmann/json.hpp>
+
+namespace amalgam::tools {
+namespace {
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t middle = values.size() / 2;
+  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+}
+
+}  // namespace
+
+void print_json(std::ostream& out, const std::vector<frame::FrameOutput>& frames) {
+  std::map<std::string, std::vector<double>> times;
+  for (const frame::FrameOutput& frame : frames) {
+    for (const core::StageTime& stage : frame.statistics.stages) {
+      times[stage.stage].push_back(stage.milliseconds);
+    }
+  }
+  const frame::FrameStatistics& last = frames.back().statistics;
+  nlohmann::ordered_json json;
+  json["stages_ms"] = nlohmann::ordered_json::object();
+  for (const auto& [stage, values] : times) {
+    json["stages_ms"][stage] = {{"min", *std::min_element(values.begin(), values.end())},
+                                {"median", median(values)}};
+  }
+  json["rays"] = {{"primary", last.rays.primary},
+                  {"reflection", last.rays.reflection},
+                  {"refraction", last.rays.refraction},
+                  {"shadow", last.rays.shadow},
+                  {"lookup", last.rays.lookup}};
+  json["passes"] = nlohmann::ordered_json::array();
+  for (const frame::PassRecord& pass : last.passes) {
+    json["passes"].push_back({{"name", pass.name}, {"ran", pass.ran}, {"reason", pass.reason}});
+  }
+  json["pixels"] = {{"virtual", last.pixels.virtual_pixels},
+                    {"specular", last.pixels.specular},
+                    {"total", last.pixels.total}};
+  json["nonfinite"] = last.nonfinite;
+  json["exposure"] = last.exposure;
+  json["unchanged"] = frames.back().unchanged;
+  json["frames"] = frames.size();
+  out << json.dump(2) << "\n";
+}
+
+void print_passes(std::ostream& out, const frame::FrameOutput& frame) {
+  for (const frame::PassRecord& pass : frame.statistics.passes) {
+    out << std::left << std::setw(18) << pass.name;
+    if (pass.ran) {
+      const auto& stages = frame.statistics.stages;
+      const auto time = std::find_if(stages.begin(), stages.end(), [&](const core::StageTime& s) {
+        return s.stage == pass.name;
+      });
+      out << "ran       " << std::fixed << std::setprecision(2)
+          << (time != stages.end() ? time->milliseconds : 0.0) << " ms\n";
+    } else {
+      out << "left out  " << pass.reason << "\n";
+    }
+  }
+}
+
+}  // namespace amalgam::tools

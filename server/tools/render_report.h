@@ -1,0 +1,18 @@
+// What amalgam-render says about its frames: JSON for programs, a pass list for people.
+#pragma once
+
+#include <ostream>
+#include <vector>
+
+#include "frame/frame.h"
+
+namespace amalgam::tools {
+
+// One JSON object: stages_ms (per stage, min and median over the frames), rays, passes, pixels,
+// nonfinite, exposure, unchanged.
+void print_json(std::ostream& out, const std::vector<frame::FrameOutput>& frames);
+
+// Each pass with its time, or why it was left out.
+void print_passes(std::ostream& out, const frame::FrameOutput& frame);
+
+}  // namespace amalgam::tools

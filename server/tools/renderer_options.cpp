@@ -1,0 +1,59 @@
+#include "tools/renderer_options.h"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+
+namespace amalgam::tools {
+
+void add_renderer_options(CLI::App& app, frame::RendererSettings& settings) {
+  app.add_option_function<std::string>(
+         "--renderer",
+         [&settings](const std::string& text) { settings.mode = frame::parse_renderer_mode(text); },
+         "hybrid (rasterise diffuse, trace specular), raytrace (trace all), raster (leave specular "
+         "objects out) or diffuse (paint them diffuse)")
+      ->check(CLI::IsMember({"hybrid", "raytrace", "raster", "diffuse"}))
+      ->default_str("hybrid");
+  app.add_option("--samples", settings.samples_per_pixel, "samples a pixel: 1, 4, 9 or 16")
+      ->check(CLI::IsMember({1, 4, 9, 16}))
+      ->capture_default_str();
+  app.add_option("--max-depth", settings.trace.max_depth, "specular surfaces that a ray may meet")
+      ->check(CLI::Range(0, 10000))
+      ->capture_default_str();
+  app.add_option("--importance-cutoff", settings.trace.importance_cutoff,
+                 "share of a pixel [0, 1) below which a ray's branch ends")
+      ->check(CLI::Range(0.0, 0.999))
+      ->capture_default_str();
+  app.add_option_function<std::string>(
+         "--fresnel",
+         [&settings](const std::string& text) {
+           settings.trace.fresnel =
+               text == "exact" ? trace::FresnelModel::Exact : trace::FresnelModel::Schlick;
+         },
+         "reflectance of glass: schlick or exact")
+      ->check(CLI::IsMember({"schlick", "exact"}))
+      ->default_str("schlick");
+  app.add_option_function<std::string>(
+         "--env-lights",
+         [&settings](const std::string& text) {
+           settings.env_lights = scene::parse_env_light_options(text);
+         },
+         "lights made of the environment map: sectors (8) or median-cut:N")
+      ->default_str("sectors");
+  app.add_option_function<float>(
+         "--exposure", [&settings](const float& exposure) { settings.exposure = exposure; },
+         "fixed exposure (factor on scene-linear light); without it, metered on the real surfaces")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--threads", settings.threads, "threads for tracing; 0: all cores")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+}
+
+std::string default_scene_path() {
+  namespace fs = std::filesystem;
+  const fs::path program = fs::read_symlink("/proc/self/exe").parent_path();
+  const fs::path beside = program / "../../deploy/scenes/complex.gltf";
+  const fs::path installed = program / "../share/amalgam/scenes/complex.gltf";
+  return (fs::exists(beside) ? beside : installed).lexically_normal().string();
+}
+
+}  // namespace amalgam::tools

@@ -1,0 +1,22 @@
+// The renderer's knobs as command line options, the same for every program that renders.
+#pragma once
+
+#include <string>
+
+#include "frame/renderer_settings.h"
+
+namespace CLI {
+class App;
+}
+
+namespace amalgam::tools {
+
+// Adds --renderer, --samples, --max-depth, --importance-cutoff, --fresnel, --env-lights, --exposure
+// and --threads. The settings must outlive parsing; wrong values end parsing with a message.
+void add_renderer_options(CLI::App& app, frame::RendererSettings& settings);
+
+// The complex scene: beside the build tree (deploy/scenes in the source) or installed
+// (share/amalgam/scenes).
+std::string default_scene_path();
+
+}  // namespace amalgam::tools
