@@ -1,0 +1,12 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds with warnings as errors, runs all tests, checks the formatting.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+deploy/install.sh
+deploy/build.sh
+ctest --test-dir build --output-on-failure --no-tests=error -j "$(nproc)"
+
+echo "formatting:"
+git ls-files '*.cpp' '*.h' | xargs clang-format --dry-run -Werror
+echo "all files are formatted"
