@@ -1,0 +1,36 @@
+"""What all scenes share: the marker they stand on, the real table, the materials."""
+
+import math
+
+from .gltf_writer import GltfWriter
+from .shapes import quad
+
+LIFT = 0.0002  # metres above the table: faces that lie in each other have no well-defined nearest one
+
+
+def new_scene(environment="environment.exr"):
+    """A scene on marker 40 with the real table, whose top is y = 0."""
+    scene = GltfWriter({"world_marker": 40, "dictionary": "DICT_6X6_250", "marker_length": 0.05,
+                        "environment": environment})
+    table = scene.material("table", (0.60, 0.59, 0.57), roughness=0.9)
+    scene.add("table", quad(1.2, 0.9, center=(-0.05, -0.05)), table, role="real")
+    return scene
+
+
+def mirror_material(scene, name, reflectance):
+    return scene.material(name, (reflectance,) * 3, metallic=1.0, roughness=0.0)
+
+
+def glass_material(scene, thickness):
+    return scene.material("glass", (1.0, 1.0, 1.0), roughness=0.0, extensions={
+        "KHR_materials_transmission": {"transmissionFactor": 1.0},
+        "KHR_materials_ior": {"ior": 1.5},
+        "KHR_materials_volume": {"thicknessFactor": thickness, "attenuationDistance": 0.1,
+                                 "attenuationColor": [0.80, 0.94, 0.92]},
+    })
+
+
+def turn(degrees):
+    """The rotation about +Y as a glTF quaternion."""
+    half = math.radians(degrees) / 2
+    return [0.0, math.sin(half), 0.0, math.cos(half)]

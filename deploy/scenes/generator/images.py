@@ -1,0 +1,60 @@
+"""PNG and OpenEXR files, written by hand so that their bytes depend on no library's version."""
+
+import struct
+import zlib
+
+
+def _stored_zlib(data):
+    """A zlib stream of stored blocks."""
+    out = bytearray(b"\x78\x01")
+    for start in range(0, max(len(data), 1), 65535):
+        block = data[start:start + 65535]
+        last = start + 65535 >= len(data)
+        out += struct.pack("<BHH", last, len(block), len(block) ^ 0xFFFF) + block
+    return bytes(out + struct.pack(">I", zlib.adler32(data)))
+
+
+def write_palette_png(path, rows, palette):
+    """rows: lists of indices into palette, a list of up to 256 (r, g, b), each 0 .. 255."""
+
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    header = struct.pack(">IIBBBBB", len(rows[0]), len(rows), 8, 3, 0, 0, 0)
+    pixels = b"".join(b"\0" + bytes(row) for row in rows)
+    path.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) +
+                     chunk(b"PLTE", bytes(c for color in palette for c in color)) +
+                     chunk(b"IDAT", _stored_zlib(pixels)) + chunk(b"IEND", b""))
+
+
+def write_half_exr(path, rows):
+    """rows: lists of (r, g, b) radiances, top row first. Uncompressed scan lines of half floats."""
+    width, height = len(rows[0]), len(rows)
+
+    def attribute(name, kind, data):
+        return name + b"\0" + kind + b"\0" + struct.pack("<I", len(data)) + data
+
+    half = 1
+    channels = b"".join(name + b"\0" + struct.pack("<IB3xII", half, 0, 1, 1)
+                        for name in (b"B", b"G", b"R")) + b"\0"
+    window = struct.pack("<4i", 0, 0, width - 1, height - 1)
+    header = struct.pack("<II", 20000630, 2)
+    header += attribute(b"channels", b"chlist", channels)
+    header += attribute(b"compression", b"compression", b"\0")
+    header += attribute(b"dataWindow", b"box2i", window)
+    header += attribute(b"displayWindow", b"box2i", window)
+    header += attribute(b"envmap", b"envmap", b"\0")  # latitude-longitude
+    header += attribute(b"lineOrder", b"lineOrder", b"\0")
+    header += attribute(b"pixelAspectRatio", b"float", struct.pack("<f", 1.0))
+    header += attribute(b"screenWindowCenter", b"v2f", struct.pack("<ff", 0.0, 0.0))
+    header += attribute(b"screenWindowWidth", b"float", struct.pack("<f", 1.0))
+    header += b"\0"
+
+    line_bytes = 3 * 2 * width
+    first = len(header) + 8 * height
+    offsets = b"".join(struct.pack("<Q", first + y * (8 + line_bytes)) for y in range(height))
+    lines = []
+    for y, row in enumerate(rows):
+        values = [pixel[channel] for channel in (2, 1, 0) for pixel in row]
+        lines.append(struct.pack("<iI", y, line_bytes) + struct.pack(f"<{len(values)}e", *values))
+    path.write_bytes(header + offsets + b"".join(lines))
