@@ -10,7 +10,9 @@
 namespace amalgam::scene {
 namespace {
 
-glm::vec3 vec3_of(const std::vector<double>& numbers) {
+// tinygltf leaves a list empty that the file leaves out.
+glm::vec3 vec3_or(const std::vector<double>& numbers, float otherwise) {
+  if (numbers.size() < 3) return glm::vec3(otherwise);
   return {static_cast<float>(numbers[0]), static_cast<float>(numbers[1]),
           static_cast<float>(numbers[2])};
 }
@@ -152,8 +154,9 @@ Material resolve_material(const tinygltf::Material& from, const JsonCursor* at) 
   Material material;
   material.name = from.name;
   const auto& pbr = from.pbrMetallicRoughness;
+  const auto& factor = pbr.baseColorFactor;
   material.base_color =
-      glm::vec4(vec3_of(pbr.baseColorFactor), static_cast<float>(pbr.baseColorFactor[3]));
+      glm::vec4(vec3_or(factor, 1.0f), factor.size() < 4 ? 1.0f : static_cast<float>(factor[3]));
   material.metallic = static_cast<float>(pbr.metallicFactor);
   material.roughness = static_cast<float>(pbr.roughnessFactor);
   material.double_sided = from.doubleSided;
@@ -165,7 +168,7 @@ Material resolve_material(const tinygltf::Material& from, const JsonCursor* at) 
   };
   const double strength =
       number_or(extension("KHR_materials_emissive_strength"), "emissiveStrength", 1.0);
-  material.emission = vec3_of(from.emissiveFactor) * static_cast<float>(strength);
+  material.emission = vec3_or(from.emissiveFactor, 0.0f) * static_cast<float>(strength);
 
   if (number_or(extension("KHR_materials_transmission"), "transmissionFactor", 0.0) >=
       kTransmissive) {
