@@ -124,6 +124,8 @@ class Server::Impl {
     if (std::exchange(phase_, Phase::Finished) == Phase::Finished) return;
     listener_.close();
     end_sessions();
+    boost::system::error_code ignored;
+    signals_.clear(ignored);  // nobody would hear the next one: let it end the process by itself
     io_.stop();
   }
 

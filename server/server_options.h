@@ -1,0 +1,23 @@
+// The command line of amalgam-server: every option with its unit and default.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "frame/render_thread.h"
+#include "net/server_config.h"
+
+namespace amalgam {
+
+struct ServerOptions {
+  std::string scene;  // path of a glTF file
+  std::string log_level = "info";
+  net::ServerConfig net;
+  frame::RenderServiceOptions render;
+};
+
+// Nothing if that was all, as after --help. Throws std::runtime_error or std::invalid_argument with
+// one line that says what is wrong.
+std::optional<ServerOptions> parse_server_options(int argc, const char* const* argv);
+
+}  // namespace amalgam

@@ -1,0 +1,65 @@
+// The load program's own counts, against a server whose renderer is a stub.
+#include <gtest/gtest.h>
+
+#include <boost/asio/io_context.hpp>
+#include <memory>
+
+#include "load_client.h"
+#include "support/net/test_server.h"
+
+namespace amalgam::load {
+namespace {
+
+LoadSummary run(test::TestServer& server, LoadOptions options) {
+  options.server = server.server().address();
+  options.rate = 200.0;
+  const LoadImage image = grey_image(64, 48);
+  LoadSummary summary;
+  boost::asio::io_context io(1);
+  for (int i = 0; i < options.clients; ++i) {
+    std::make_shared<LoadClient>(io, options, image, summary)->start();
+  }
+  io.run();
+  return summary;
+}
+
+TEST(Load, EveryFrameIsCompositedSkippedOrUnsent) {
+  test::TestServer server;
+  LoadOptions options;
+  options.clients = 4;
+  options.frames = 20;
+  const LoadSummary summary = run(server, options);
+  EXPECT_EQ(summary.welcomed, 4);
+  EXPECT_EQ(summary.lost, 0);
+  EXPECT_EQ(summary.sent, 80u);
+  EXPECT_EQ(summary.composited + summary.skipped, summary.sent);
+  EXPECT_EQ(summary.latencies_ms.size(), summary.composited);
+  EXPECT_TRUE(summary.errors.empty());
+  EXPECT_GT(summary.bytes_received, 0u);
+}
+
+TEST(Load, FaultsAreAnswered) {
+  test::TestServer server;
+  LoadOptions options;
+  options.frames = 5;
+  options.fault = Fault::BadPose;
+  EXPECT_EQ(run(server, options).errors.at("POSE_REJECTED"), 5u);
+  options.fault = Fault::Cut;
+  EXPECT_EQ(run(server, options).lost, 0);
+  EXPECT_TRUE(server.service.wait_views(0));
+}
+
+TEST(Load, ConnectionsAboveTheCapAreCountedAsLost) {
+  net::ServerConfig config = test::test_config();
+  config.connections.per_address = 2;
+  test::TestServer server(config);
+  LoadOptions options;
+  options.clients = 3;
+  options.frames = 5;
+  const LoadSummary summary = run(server, options);
+  EXPECT_EQ(summary.welcomed, 2);
+  EXPECT_EQ(summary.lost, 1);
+}
+
+}  // namespace
+}  // namespace amalgam::load
