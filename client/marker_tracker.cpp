@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
+#include "client/edge_refinement.h"
 #include "client/marker_dictionary.h"
 
 namespace amalgam::client {
@@ -19,25 +20,6 @@ cv::Mat to_grey(const cv::Mat& image, cv::ColorConversionCodes from_colour) {
   cv::Mat grey;
   cv::cvtColor(image, grey, from_colour);
   return grey;
-}
-
-double side_length(const std::vector<cv::Point2f>& corners) {
-  return cv::arcLength(corners, true) / 4.0;
-}
-
-// Moves corners to where the edges meet. OpenCV's own refinement uses one window for all markers,
-// which in small ones reaches past the black border into the bits and is drawn to them; here it
-// follows the marker's size and stays within the border (as later versions of OpenCV do).
-void refine(const cv::Mat& grey, int bits, std::vector<cv::Point2f>& corners) {
-  constexpr int kMaxHalfWindow = 5;  // pixels
-  constexpr double kWindowOfBit = 0.6;
-  constexpr int kMaxIterations = 50;
-  constexpr double kAccuracy = 0.005;                    // pixels
-  const double bit = side_length(corners) / (bits + 2);  // pixels; the border is a bit wide
-  const int half_window = std::clamp(static_cast<int>(bit * kWindowOfBit), 1, kMaxHalfWindow);
-  const cv::TermCriteria until(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, kMaxIterations,
-                               kAccuracy);
-  cv::cornerSubPix(grey, corners, {half_window, half_window}, {-1, -1}, until);
 }
 
 double area(const SquareCorners& corners) {
@@ -101,9 +83,11 @@ std::vector<DetectedMarker> MarkerTracker::detect_grey(const cv::Mat& grey) cons
   for (std::size_t i = 0; i < ids.size(); ++i) {
     const auto& wanted = options_.ids;
     if (!wanted.empty() && std::ranges::find(wanted, ids[i]) == wanted.end()) continue;
-    if (options_.refine_corners) refine(grey, dictionary_->markerSize, corners[i]);
     DetectedMarker marker{.id = ids[i], .corners = {}};
     for (std::size_t c = 0; c < 4; ++c) marker.corners[c] = {corners[i][c].x, corners[i][c].y};
+    if (options_.refine_corners) {
+      marker.corners = refine_corners(grey, dictionary_->markerSize, marker.corners);
+    }
     found.push_back(marker);
   }
   return found;

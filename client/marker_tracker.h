@@ -22,7 +22,7 @@ namespace amalgam::client {
 struct TrackerOptions {
   std::string dictionary = "DICT_6X6_250";  // see find_dictionary()
   double marker_length = 0.05;              // metres, side of the black square
-  std::vector<int> ids;                     // markers of interest; empty: all of the dictionary
+  std::vector<int> ids{};                   // markers of interest; empty: all of the dictionary
   bool refine_corners = true;               // to fractions of a pixel; poses want it
 };
 

@@ -42,6 +42,7 @@ void add_source(CLI::App& app, Options& options) {
       ->add_option("--images", options.images,
                    "image files or glob patterns, in the order of their names; baseline JPEG is "
                    "sent byte for byte")
+      ->default_str("")
       ->type_name("GLOB");
   source->add_flag("--synthetic", options.synthetic,
                    "a desk with marker 40 (DICT_6X6_250, 0.05 m), filmed from a known path");

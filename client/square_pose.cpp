@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -41,6 +42,8 @@ std::optional<SquareSolution> to_solution(const cv::Mat& rotation_vector,
   }
   solution.pose.rotation = glm::normalize(glm::quat_cast(matrix));
   if (!core::is_usable(solution.pose)) return std::nullopt;
+  // Paper is printed on one side.
+  if (!(glm::dot(matrix[2], solution.pose.translation) < 0)) return std::nullopt;
   return solution;
 }
 
@@ -91,7 +94,8 @@ std::vector<SquareSolution> solve_square(const SquareCorners& corners, double ma
   auto solutions = solve_ideal(*ideal, marker_length, camera);
   if (solutions.empty()) {
     // A marker facing the camera exactly is a turn by pi, where OpenCV's conversion to a rotation
-    // vector divides 0 by 0. A nudge far below what a corner is known to gets it out of there.
+    // vector divides by 0 and gives none or the marker's back. A nudge far below what a corner is
+    // known to gets it out of there.
     constexpr double kNudge = 1e-3;  // pixels
     ideal->front().x += kNudge;
     solutions = solve_ideal(*ideal, marker_length, camera);

@@ -24,8 +24,9 @@ struct SquareSolution {
 };
 
 // None, one or two solutions, the better one first. Left out: solutions that are not finite, lie
-// behind the camera, or whose rotation is off orthonormal by more than 1e-3 (numerics B22). None at
-// all if a corner lies where the lens model cannot be inverted. marker_length in metres.
+// behind the camera or show the marker's back, or whose rotation is off orthonormal by more than
+// 1e-3 (numerics B22). None at all if a corner lies where the lens model cannot be inverted.
+// marker_length in metres.
 std::vector<SquareSolution> solve_square(const SquareCorners& corners, double marker_length,
                                          const core::CameraModel& camera);
 
