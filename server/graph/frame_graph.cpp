@@ -13,6 +13,15 @@ void FrameGraph::add_pass(std::string name, const std::function<void(Builder&)>&
   declare(builder);
 }
 
+Builder FrameGraph::add_pass(std::string name) {
+  passes_.push_back({.report = {.name = std::move(name)}});
+  return {*this, static_cast<int>(passes_.size()) - 1};
+}
+
+void Builder::runs(std::function<void(const Access&)> execute) {
+  graph_.passes_[static_cast<std::size_t>(pass_)].execute = std::move(execute);
+}
+
 FrameGraph::Declared FrameGraph::add_pass(std::string name,
                                           const std::function<void(Builder&)>& declare) {
   add_pass(std::move(name), declare, {});

@@ -45,6 +45,7 @@ struct PassReport {
 };
 
 class FrameGraph;
+class Access;
 
 // What a pass says about itself while it is added.
 class Builder {
@@ -57,6 +58,8 @@ class Builder {
   void uses(Handle<T> handle);
   template <typename T>
   [[nodiscard]] Handle<T> writes(std::string resource);
+  // The work itself, done at most once. It may capture the handles.
+  void runs(std::function<void(const Access&)> execute);
 
  private:
   friend class FrameGraph;
@@ -103,6 +106,9 @@ class FrameGraph {
     make_absent(handle.index_, std::move(reason));
     return handle;
   }
+
+  // A pass says what it reads and writes, and then what it runs, through the builder.
+  [[nodiscard]] Builder add_pass(std::string name);
 
   // declare(Builder&) names the reads and writes; execute(const Access&) does the work, at most
   // once.

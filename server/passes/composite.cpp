@@ -28,24 +28,19 @@ core::ImageRgb8 composite(const core::Layers& layers, const core::ImageRgb8& cam
 }
 
 graph::Handle<Composite> add_composite_pass(graph::FrameGraph& graph, const CompositeInputs& in) {
-  graph::Handle<Composite> out;
-  graph.add_pass(
-      "composite",
-      [&](graph::Builder& builder) {
-        if (in.even_if_unchanged) {
-          builder.uses(in.layers);
-        } else {
-          builder.needs(in.layers);
-        }
-        builder.needs(in.camera_image);
-        out = builder.writes<Composite>("composite");
-      },
-      [in, out](const graph::Access& access) {
-        const core::ImageRgb8& camera_image = access.get(in.camera_image).pixels;
-        const Layers* layers = access.find(in.layers);
-        access.set(out,
-                   Composite{layers != nullptr ? composite(*layers, camera_image) : camera_image});
-      });
+  graph::Builder builder = graph.add_pass("composite");
+  if (in.even_if_unchanged) {
+    builder.uses(in.layers);
+  } else {
+    builder.needs(in.layers);
+  }
+  builder.needs(in.camera_image);
+  const auto out = builder.writes<Composite>("composite");
+  builder.runs([in, out](const graph::Access& access) {
+    const core::ImageRgb8& camera_image = access.get(in.camera_image).pixels;
+    const Layers* layers = access.find(in.layers);
+    access.set(out, Composite{layers != nullptr ? composite(*layers, camera_image) : camera_image});
+  });
   return out;
 }
 

@@ -16,22 +16,18 @@ graph::Handle<float> add_exposure_pass(graph::FrameGraph& graph, const ExposureI
     graph.note_left_out("exposure", "the exposure is fixed");
     return graph.import("exposure", *in.fixed);
   }
-  graph::Handle<float> out;
-  graph.add_pass(
-      "exposure",
-      [&](graph::Builder& builder) {
-        builder.needs(in.camera_image);
-        builder.uses(in.grid);
-        out = builder.writes<float>("exposure");
-      },
-      [in, out](const graph::Access& access) {
-        const MeterGrid* grid = access.find(in.grid);
-        std::optional<float> reading;
-        if (grid != nullptr) {
-          reading = meter_exposure(*grid, in.ideal, in.camera, access.get(in.camera_image).pixels);
-        }
-        access.set(out, in.memory.update(reading));
-      });
+  graph::Builder builder = graph.add_pass("exposure");
+  builder.needs(in.camera_image);
+  builder.uses(in.grid);
+  const auto out = builder.writes<float>("exposure");
+  builder.runs([in, out](const graph::Access& access) {
+    const MeterGrid* grid = access.find(in.grid);
+    std::optional<float> reading;
+    if (grid != nullptr) {
+      reading = meter_exposure(*grid, in.ideal, in.camera, access.get(in.camera_image).pixels);
+    }
+    access.set(out, in.memory.update(reading));
+  });
   return out;
 }
 

@@ -25,32 +25,28 @@ bool is_zero(const Layers& layers) {
 }  // namespace
 
 graph::Handle<Layers> add_merge_pass(graph::FrameGraph& graph, const MergeInputs& in) {
-  graph::Handle<Layers> out;
-  graph.add_pass(
-      "merge",
-      [&](graph::Builder& builder) {
-        builder.uses(in.rasterised);
-        builder.uses(in.traced);
-        out = builder.writes<Layers>("layers");
-      },
-      [in, out](const graph::Access& access) {
-        const Layers* rasterised = access.find(in.rasterised);
-        const trace::TraceResult* traced = access.find(in.traced);
-        Layers sum;
-        if (rasterised != nullptr) sum = *rasterised;
-        if (traced != nullptr) {
-          if (rasterised != nullptr) {
-            add(sum, traced->layers);
-          } else {
-            sum = traced->layers;
-          }
-        }
-        if (is_zero(sum)) {
-          access.leave_empty(out, "nothing virtual has an effect on this frame");
-        } else {
-          access.set(out, std::move(sum));
-        }
-      });
+  graph::Builder builder = graph.add_pass("merge");
+  builder.uses(in.rasterised);
+  builder.uses(in.traced);
+  const auto out = builder.writes<Layers>("layers");
+  builder.runs([in, out](const graph::Access& access) {
+    const Layers* rasterised = access.find(in.rasterised);
+    const trace::TraceResult* traced = access.find(in.traced);
+    Layers sum;
+    if (rasterised != nullptr) sum = *rasterised;
+    if (traced != nullptr) {
+      if (rasterised != nullptr) {
+        add(sum, traced->layers);
+      } else {
+        sum = traced->layers;
+      }
+    }
+    if (is_zero(sum)) {
+      access.leave_empty(out, "nothing virtual has an effect on this frame");
+    } else {
+      access.set(out, std::move(sum));
+    }
+  });
   return out;
 }
 

@@ -54,16 +54,12 @@ Layers warp_layers(const Layers& ideal_layers, const core::Image<glm::vec2>& map
 
 graph::Handle<Layers> add_warp_pass(graph::FrameGraph& graph, graph::Handle<Layers> ideal_layers,
                                     const core::Image<glm::vec2>& map) {
-  graph::Handle<Layers> out;
-  graph.add_pass(
-      "warp",
-      [&](graph::Builder& builder) {
-        builder.needs(ideal_layers);
-        out = builder.writes<Layers>("warped layers");
-      },
-      [ideal_layers, out, &map](const graph::Access& access) {
-        access.set(out, warp_layers(access.get(ideal_layers), map));
-      });
+  graph::Builder builder = graph.add_pass("warp");
+  builder.needs(ideal_layers);
+  const auto out = builder.writes<Layers>("warped layers");
+  builder.runs([ideal_layers, out, &map](const graph::Access& access) {
+    access.set(out, warp_layers(access.get(ideal_layers), map));
+  });
   return out;
 }
 
