@@ -75,13 +75,15 @@ bool has_png_end(std::span<const std::byte> bytes) {
 
 }  // namespace
 
+bool is_picture(std::span<const std::byte> encoded) {
+  return begins_with(encoded, kPngSignature) || begins_with(encoded, kJpegSignature);
+}
+
 void check_picture(std::span<const std::byte> encoded) {
-  const bool png = begins_with(encoded, kPngSignature);
-  if (!png && !begins_with(encoded, kJpegSignature)) {
-    throw PictureError("picture is neither PNG nor JPEG");
-  }
+  if (!is_picture(encoded)) throw PictureError("picture is neither PNG nor JPEG");
   checked_size(input_of(encoded));
-  if (png && !has_png_end(encoded)) throw PictureError("PNG ends before its IEND chunk");
+  if (begins_with(encoded, kPngSignature) && !has_png_end(encoded))
+    throw PictureError("PNG ends before its IEND chunk");
 }
 
 core::ImageRgba8 decode_picture(std::span<const std::byte> encoded) {

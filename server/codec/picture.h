@@ -18,6 +18,9 @@ class PictureError : public std::runtime_error {
 constexpr int kMaxPictureSide = 8192;                // pixels
 constexpr int kMaxPicturePixels = 32 * 1024 * 1024;  // 32 Mpixel
 
+// The bytes begin as a PNG or JPEG does.
+bool is_picture(std::span<const std::byte> encoded);
+
 // Throws PictureError unless the bytes begin as a PNG or JPEG within the limits and, for a PNG, go
 // on to its end.
 void check_picture(std::span<const std::byte> encoded);

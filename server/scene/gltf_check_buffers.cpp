@@ -100,8 +100,7 @@ void check_buffers(const GltfCheckContext& context, std::optional<std::size_t> b
       check_buffer_uri(*uri, length);
     } else if (i != 0 || !binary_bytes) {
       buffers[i].fail("has no uri, and there is no GLB chunk for it");
-    } else if (length > static_cast<long long>(*binary_bytes) ||
-               static_cast<long long>(*binary_bytes) > length + 3) {
+    } else if (length > static_cast<long long>(*binary_bytes)) {
       length_at.fail("says " + std::to_string(length) + " bytes and the GLB chunk has " +
                      std::to_string(*binary_bytes));
     }
@@ -122,6 +121,7 @@ void check_buffer_views(GltfCheckContext& context) {
     if (const auto stride = at.find("byteStride")) {
       view.stride = stride->integer(4, 252);
       if (*view.stride % 4 != 0) stride->fail("is not a multiple of 4");
+      if (*view.stride > view.length) stride->fail("is longer than the bufferView");
     }
     if (const auto target = at.find("target")) {
       view.target = static_cast<int>(target->integer(0));

@@ -26,19 +26,23 @@ std::string_view text_of(std::span<const std::byte> bytes) {
 GltfContainer open_gltf_container(std::span<const std::byte> file, bool must_be_glb) {
   constexpr std::size_t kHeader = 12, kChunkHeader = 8;
   const bool has_magic = file.size() >= 4 && u32(file, 0) == kMagic;
-  if (!has_magic && !must_be_glb) return {text_of(file), std::nullopt, false};
+  if (!has_magic && !must_be_glb) return {text_of(file), std::nullopt, false, file};
   if (!has_magic) throw SceneError("GLB does not begin with 'glTF'");
   if (file.size() < kHeader) throw SceneError("GLB ends inside its header");
   if (u32(file, 4) != 2) {
     throw SceneError("GLB version is " + std::to_string(u32(file, 4)) + "; only 2 is known");
   }
-  if (u32(file, 8) != file.size()) {
+  const std::size_t declared = u32(file, 8);
+  if (declared < kHeader || declared > file.size()) {
     throw SceneError("GLB declares " + std::to_string(u32(file, 8)) + " bytes and has " +
                      std::to_string(file.size()));
   }
 
+  file = file.first(declared);  // bytes behind the end are nobody's
+
   GltfContainer container;
   container.is_glb = true;
+  container.bytes = file;
   std::size_t at = kHeader;
   for (int chunk = 0; at < file.size(); ++chunk) {
     if (file.size() - at < kChunkHeader) throw SceneError("GLB ends inside a chunk header");

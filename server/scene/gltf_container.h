@@ -12,6 +12,7 @@ struct GltfContainer {
   std::string_view json;
   std::optional<std::span<const std::byte>> binary;  // the BIN chunk, if there is one
   bool is_glb = false;
+  std::span<const std::byte> bytes;  // the whole file, without what a GLB has behind its end
 };
 
 // Views into the bytes. A file is a GLB if it begins with the magic "glTF" or if must_be_glb is

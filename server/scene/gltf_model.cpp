@@ -76,8 +76,7 @@ std::string one_line(std::string text) {
   return text;
 }
 
-void parse(tinygltf::Model& model, std::span<const std::byte> file, const GltfContainer& container,
-           const SceneFolder& folder) {
+void parse(tinygltf::Model& model, const GltfContainer& container, const SceneFolder& folder) {
   tinygltf::TinyGLTF loader;
   loader.SetImageLoader(keep_encoded, nullptr);
   loader.SetFsCallbacks(
@@ -86,9 +85,9 @@ void parse(tinygltf::Model& model, std::span<const std::byte> file, const GltfCo
   bool ok = false;
   try {
     if (container.is_glb) {
-      ok = loader.LoadBinaryFromMemory(&model, &error, &warning,
-                                       reinterpret_cast<const unsigned char*>(file.data()),
-                                       static_cast<unsigned int>(file.size()));
+      ok = loader.LoadBinaryFromMemory(
+          &model, &error, &warning, reinterpret_cast<const unsigned char*>(container.bytes.data()),
+          static_cast<unsigned int>(container.bytes.size()));
     } else {
       ok = loader.LoadASCIIFromString(&model, &error, &warning, container.json.data(),
                                       static_cast<unsigned int>(container.json.size()), "");
@@ -99,10 +98,16 @@ void parse(tinygltf::Model& model, std::span<const std::byte> file, const GltfCo
   if (!ok) throw SceneError("tinygltf refuses it: " + one_line(error));
 }
 
-void check_pictures(const tinygltf::Model& model) {
+// A picture of a kind that we cannot read matters only to a material that uses it.
+void check_pictures(const tinygltf::Model& model, std::vector<std::string>& notes) {
   for (std::size_t i = 0; i < model.images.size(); ++i) {
+    const auto encoded = std::as_bytes(std::span(model.images[i].image));
+    if (!codec::is_picture(encoded)) {
+      notes.push_back("images[" + std::to_string(i) + "]: neither PNG nor JPEG");
+      continue;
+    }
     try {
-      codec::check_picture(std::as_bytes(std::span(model.images[i].image)));
+      codec::check_picture(encoded);
     } catch (const codec::PictureError& caught) {
       throw SceneError("images[" + std::to_string(i) + "]: " + caught.what());
     }
@@ -123,8 +128,8 @@ GltfModel load_gltf_model(const std::filesystem::path& path, std::vector<std::st
   if (container.binary) binary_bytes = container.binary->size();
   check_gltf(root, binary_bytes, notes);
   check_external_files(root, folder);
-  parse(loaded.model, file, container, folder);
-  check_pictures(loaded.model);
+  parse(loaded.model, container, folder);
+  check_pictures(loaded.model, notes);
   return loaded;
 }
 
