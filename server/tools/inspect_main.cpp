@@ -1,0 +1,56 @@
+// amalgam-inspect: what is in a scene, as the renderer will take it.
+
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <iostream>
+#include <optional>
+#include <string>
+
+#include "scene/gltf_loader.h"
+#include "tools/inspect_report.h"
+
+namespace {
+
+struct Options {
+  std::string scene;
+  std::string environment;
+  std::string env_lights = "sectors";
+  bool json = false;
+};
+
+void inspect(const Options& options) {
+  using namespace amalgam;
+  const auto light_options = scene::parse_env_light_options(options.env_lights);
+  scene::LoadOptions load_options;
+  if (!options.environment.empty()) load_options.environment = options.environment;
+  tools::Inspection inspection;
+  inspection.scene = scene::load_scene(options.scene, load_options);
+  if (const auto& environment = inspection.scene.environment) {
+    inspection.environment_lights = scene::extract_lights(*environment, light_options);
+  }
+  (options.json ? tools::print_json : tools::print_text)(std::cout, inspection);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app(
+      "Shows what is in a scene: role, marker and material of every node, the lights, and "
+      "what every frame will leave out. Lengths are in metres.");
+  Options options;
+  app.add_option("scene", options.scene, "glTF 2.0 scene (.gltf or .glb)")->required();
+  app.add_option("--environment", options.environment,
+                 "environment map instead of the scene's own (.exr, .hdr, .jpg, .png)");
+  app.add_option("--env-lights", options.env_lights,
+                 "how the environment becomes lights: sectors or median-cut:N")
+      ->capture_default_str();
+  app.add_flag("--json", options.json, "print one JSON object");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    inspect(options);
+  } catch (const std::exception& error) {
+    std::cerr << "amalgam-inspect: " << error.what() << '\n';
+    return 1;
+  }
+  return 0;
+}
