@@ -72,7 +72,8 @@ TEST(SquarePose, NonsenseGivesNothingOrSomethingUsable) {
 }
 
 // Numerics B22: a 5 cm marker at 0.3 to 5 m, 0 to 60 degrees, half a pixel of noise. A choice has
-// flipped if the marker's mirror image was taken for it.
+// flipped if the marker's mirror image was taken for it. Counted are markers whose two poses are
+// apart by half a radian: nearer ones are one pose, as far as such noise can tell.
 struct FlipRates {
   double without = 0.0, with = 0.0;
 };
@@ -94,6 +95,9 @@ FlipRates measure_flips(int draws, double min_distance, double max_distance) {
     const SquareCorners exact = project_corners(camera, truth);
     const auto exact_solutions = solve_square(exact, kLength, camera);
     if (exact_solutions.size() < 2) continue;
+    const double apart =
+        angle_between(exact_solutions[0].pose.rotation, exact_solutions[1].pose.rotation);
+    if (apart < 0.5) continue;
     const auto is_flipped = [&](const core::MarkerPose& pose) {
       return angle_between(pose.rotation, exact_solutions[1].pose.rotation) <
              angle_between(pose.rotation, truth.rotation);
@@ -116,16 +120,16 @@ FlipRates measure_flips(int draws, double min_distance, double max_distance) {
 }
 
 TEST(PoseMemory, FlipsSeldomerThanTheBetterSolutionAlone) {
-  const FlipRates near = measure_flips(100, 0.3, 1.0), all = measure_flips(200, 0.3, 5.0);
-  std::printf("flip rate near (0.3 to 1 m): %.4f without the rule, %.4f with it\n", near.without,
+  const FlipRates near = measure_flips(500, 0.3, 1.0), all = measure_flips(500, 0.3, 5.0);
+  std::printf("flip rate at 0.3 to 1 m: %.4f without the rule, %.4f with it\n", near.without,
               near.with);
-  std::printf("flip rate (0.3 to 5 m): %.4f without the rule, %.4f with it\n", all.without,
+  std::printf("flip rate at 0.3 to 5 m: %.4f without the rule, %.4f with it\n", all.without,
               all.with);
-  RecordProperty("near_without", std::to_string(near.without));
-  RecordProperty("near_with", std::to_string(near.with));
-  EXPECT_LT(near.with, 0.02);
-  EXPECT_LT(near.with, 0.25 * near.without);
-  EXPECT_LT(all.with, 0.5 * all.without);
+  // At 5 m the marker is 7 pixels wide and half of the choices by error alone are guesses; the
+  // memory is wrong where such noise happens to speak against it three times on end.
+  EXPECT_LT(near.with, 0.01);
+  EXPECT_LT(near.with, 0.2 * near.without);
+  EXPECT_LT(all.with, 0.2 * all.without);
 }
 
 SquareSolution solution(double degrees, double error) {

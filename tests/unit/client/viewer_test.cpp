@@ -1,0 +1,219 @@
+#include "client/viewer.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <opencv2/imgcodecs.hpp>
+
+#include "client/calibration.h"
+#include "client/images_source.h"
+#include "client/jpeg_bytes.h"
+#include "client/messages.h"
+#include "client/options.h"
+#include "client/summary.h"
+#include "client/synthetic_source.h"
+#include "fake_server.h"
+
+namespace amalgam::client {
+namespace {
+
+using namespace std::chrono_literals;
+
+std::filesystem::path fresh_folder() {
+  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+  const auto folder = std::filesystem::path(testing::TempDir()) / "amalgam_viewer" / test->name();
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  return folder;
+}
+
+Bytes read(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+void write(const std::filesystem::path& file, const Bytes& bytes) {
+  std::ofstream(file, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()),
+             static_cast<std::streamsize>(bytes.size()));
+}
+
+Bytes picture(int width, int height, const std::vector<int>& parameters = {},
+              const char* format = ".jpg") {
+  cv::Mat image(height, width, CV_8UC3);
+  cv::randu(image, 0, 255);
+  Bytes bytes;
+  cv::imencode(format, image, bytes, parameters);
+  return bytes;
+}
+
+TEST(JpegBytes, TellsWhatAServerTakes) {
+  EXPECT_TRUE(is_sendable_jpeg(picture(64, 48)));
+  EXPECT_FALSE(is_sendable_jpeg(picture(64, 48, {cv::IMWRITE_JPEG_PROGRESSIVE, 1})));
+  EXPECT_FALSE(is_sendable_jpeg(picture(64, 48, {}, ".png")));
+  Bytes cut = picture(64, 48);
+  for (std::size_t size = 0; size < cut.size(); ++size) {
+    is_sendable_jpeg(std::span(cut).first(size));  // no sanitiser complains
+  }
+  cut.resize(20);
+  EXPECT_FALSE(is_sendable_jpeg(cut));
+  EXPECT_FALSE(is_sendable_jpeg({}));
+}
+
+TEST(ImagesSource, PassesBaselineJpegByteForByte) {
+  const auto folder = fresh_folder();
+  const Bytes first = picture(64, 48), second = picture(64, 48);
+  write(folder / "b.jpg", second);
+  write(folder / "a.jpg", first);
+  ImagesSource source({.patterns = {(folder / "*.jpg").string()}, .size = {}});
+  EXPECT_EQ(source.size(), cv::Size(64, 48));
+  EXPECT_EQ(source.next()->jpeg, first);
+  const auto frame = source.next();
+  EXPECT_EQ(frame->jpeg, second);
+  EXPECT_EQ(frame->bgr.size(), cv::Size(64, 48));
+  EXPECT_FALSE(source.next());
+}
+
+TEST(ImagesSource, EncodesWhatAServerDoesNotTake) {
+  const auto folder = fresh_folder();
+  write(folder / "a.png", picture(64, 48, {}, ".png"));
+  write(folder / "b.jpg", picture(64, 48, {cv::IMWRITE_JPEG_PROGRESSIVE, 1}));
+  ImagesSource source({.patterns = {(folder / "*").string()}, .size = {}, .repeat = true});
+  for (int i = 0; i < 5; ++i) EXPECT_TRUE(is_sendable_jpeg(source.next()->jpeg));
+}
+
+TEST(ImagesSource, RefusesWhatItCannotUse) {
+  const auto folder = fresh_folder();
+  EXPECT_THROW(ImagesSource({.patterns = {(folder / "*").string()}, .size = {}}),
+               std::runtime_error);
+  write(folder / "a.jpg", picture(64, 48));
+  write(folder / "b.jpg", picture(48, 64));
+  ImagesSource mixed({.patterns = {(folder / "*").string()}, .size = {}});
+  mixed.next();
+  EXPECT_THROW(mixed.next(), std::runtime_error);
+  ImagesSource scaled({.patterns = {(folder / "*").string()}, .size = {32, 24}});
+  EXPECT_EQ(scaled.next()->bgr.size(), cv::Size(32, 24));
+  EXPECT_EQ(scaled.next()->bgr.size(), cv::Size(32, 24));
+}
+
+struct Outcome {
+  ViewerSummary summary;
+  std::vector<protocol::CameraFrame> frames;  // as the server got them
+};
+
+// Answers what `answers` says yes to.
+Outcome view(CameraSource& source, FrameSink* sink, const ViewerOptions& options,
+             const std::function<bool(std::uint64_t)>& answers) {
+  Outcome outcome;
+  FakeServer server({[&](FakePeer& peer) {
+    peer.welcome();
+    while (const auto message = peer.receive()) {
+      if (!message->has_camera_frame()) return;
+      outcome.frames.push_back(message->camera_frame());
+      if (answers(message->camera_frame().frame_id())) peer.answer(message->camera_frame());
+    }
+  }});
+  const std::atomic<bool> stop = false;
+  const auto camera = default_camera(source.size().width, source.size().height);
+  Connection connection(server.options(3000ms), hello_message(camera, "", 0));
+  outcome.summary = Viewer(options, camera, source, sink, connection, stop).run();
+  return outcome;
+}
+
+TEST(Viewer, AccountsForEveryFrameOfTheSyntheticCamera) {
+  SyntheticSource source(default_camera(320, 240), true, 90);
+  const auto outcome = view(source, nullptr, {.frames = 20, .rate = 500.0},
+                            [](std::uint64_t id) { return id % 3 == 0 || id == 20; });
+  const FrameCounts& counts = outcome.summary.frames;
+  EXPECT_EQ(counts.captured, 20u);
+  EXPECT_GT(counts.composited, 0u);
+  EXPECT_EQ(counts.composited + counts.skipped_by_client + counts.skipped_by_server, 20u);
+  EXPECT_EQ(counts.lost, 0u);
+  EXPECT_GT(outcome.summary.latency.median, 0.0);
+  EXPECT_LE(outcome.summary.latency.median, outcome.summary.latency.p99);
+  for (const auto& frame : outcome.frames) {
+    ASSERT_EQ(frame.poses_size(), 1);
+    EXPECT_EQ(frame.poses(0).marker(), 40);
+  }
+}
+
+TEST(Viewer, InLockstepNothingIsSkippedAndBytesComeBackAsFiles) {
+  const auto folder = fresh_folder();
+  std::vector<Bytes> pictures;
+  for (int i = 0; i < 4; ++i) {
+    pictures.push_back(picture(64, 48));
+    write(folder / ("in" + std::to_string(i) + ".jpg"), pictures.back());
+  }
+  ImagesSource source({.patterns = {(folder / "in*.jpg").string()}, .size = {}});
+  const auto sink = make_folder_sink(folder / "out");
+  const auto outcome =
+      view(source, sink.get(), {.lockstep = true}, [](std::uint64_t) { return true; });
+  EXPECT_EQ(outcome.summary.frames.composited, 4u);
+  EXPECT_EQ(outcome.summary.frames.unchanged, 4u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::string name = "frame-00000" + std::to_string(i + 1) + ".jpg";
+    EXPECT_EQ(read(folder / "out" / name), pictures[i]);
+  }
+}
+
+TEST(Viewer, RecordsAFilm) {
+  const auto folder = fresh_folder();
+  SyntheticSource source(default_camera(320, 240), true, 90);
+  auto sink = make_record_sink(folder / "film.mp4", 25.0);
+  view(source, sink.get(), {.frames = 3, .lockstep = true}, [](std::uint64_t) { return true; });
+  sink.reset();
+  EXPECT_GT(std::filesystem::file_size(folder / "film.mp4"), 1000u);
+}
+
+TEST(FrameLedger, CountsByWhatTheAnswerSays) {
+  FrameLedger ledger;
+  const FrameLedger::Clock::time_point start{};
+  for (std::uint64_t id = 1; id <= 8; ++id) ledger.captured(id, start + id * 10ms);
+  ledger.skipped(2);
+  ledger.composited(3, true, start + 50ms);  // 1 will never be answered
+  ledger.composited(3, true, start + 60ms);  // once is enough
+  ledger.rejected(4);
+  ledger.composited(5, false, start + 60ms);
+  ledger.lost_up_to(7);
+  EXPECT_TRUE(ledger.is_open(8));
+  ledger.composited(8, false, start + 180ms);
+  EXPECT_FALSE(ledger.has_open());
+  const FrameCounts& counts = ledger.counts();
+  EXPECT_EQ(counts.captured, 8u);
+  EXPECT_EQ(counts.composited, 3u);
+  EXPECT_EQ(counts.unchanged, 1u);
+  EXPECT_EQ(counts.skipped_by_client, 1u);
+  EXPECT_EQ(counts.skipped_by_server, 1u);
+  EXPECT_EQ(counts.rejected, 1u);
+  EXPECT_EQ(counts.lost, 2u);
+  EXPECT_FLOAT_EQ(static_cast<float>(ledger.latency().median), 20.0f);
+  EXPECT_FLOAT_EQ(static_cast<float>(ledger.latency().p99), 100.0f);
+}
+
+TEST(Options, ReadsAddressesAndSizes) {
+  ConnectionOptions connection;
+  set_server("[::1]:80", connection);
+  EXPECT_EQ(connection.host, "::1");
+  EXPECT_EQ(connection.port, "80");
+  for (const char* bad : {"", ":80", "host", "host:", "host:0", "host:65536", "host:8x"}) {
+    EXPECT_THROW(set_server(bad, connection), std::runtime_error) << bad;
+  }
+  EXPECT_EQ(parse_size("800x600"), cv::Size(800, 600));
+  for (const char* bad : {"", "800", "800x", "x600", "0x1", "-1x5", "800x600x", "99999x2"}) {
+    EXPECT_THROW(parse_size(bad), std::runtime_error) << bad;
+  }
+}
+
+TEST(Summary, IsOneLineOfJsonWhateverTheServerSays) {
+  ViewerSummary summary;
+  summary.last_error = "bad bytes \xff\xfe\n\"";
+  const std::string json = summary_json(summary);
+  EXPECT_EQ(json.find('\n'), std::string::npos);
+  EXPECT_EQ(json.front(), '{');
+  EXPECT_EQ(json.back(), '}');
+}
+
+}  // namespace
+}  // namespace amalgam::client
