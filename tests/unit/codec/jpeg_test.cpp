@@ -1,0 +1,188 @@
+#include "codec/jpeg.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <random>
+
+#include "support/test_data.h"
+
+namespace amalgam::codec {
+namespace {
+
+using Bytes = std::vector<std::byte>;
+
+core::ImageRgb8 gradient(int width, int height) {
+  core::ImageRgb8 image(width, height);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      image.at(x, y) = core::Rgb8(255 * x / width, 255 * y / height, 128);
+    }
+  }
+  return image;
+}
+
+// Where the frame header's marker code stands (the byte after 0xFF).
+std::size_t frame_marker(const Bytes& jpeg) {
+  for (std::size_t i = 2; i + 1 < jpeg.size();) {
+    const int code = std::to_integer<int>(jpeg[i + 1]);
+    if (code == 0xC0) return i + 1;
+    i += 2 + static_cast<std::size_t>(std::to_integer<int>(jpeg[i + 2]) * 256 +
+                                      std::to_integer<int>(jpeg[i + 3]));
+  }
+  ADD_FAILURE() << "no frame header";
+  return 0;
+}
+
+Bytes with_byte(Bytes jpeg, std::size_t at, int value) {
+  jpeg[at] = static_cast<std::byte>(value);
+  return jpeg;
+}
+
+std::string refusal(const Bytes& jpeg) {
+  try {
+    read_jpeg_header(jpeg);
+  } catch (const JpegError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+Bytes read_file(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  const auto* data = reinterpret_cast<const std::byte*>(text.data());
+  return {data, data + text.size()};
+}
+
+std::vector<Bytes> files_in(const std::filesystem::path& folder) {
+  std::vector<Bytes> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file()) files.push_back(read_file(entry.path()));
+  }
+  return files;
+}
+
+TEST(Jpeg, RoundTripStaysClose) {
+  const core::ImageRgb8 image = gradient(61, 43);
+  const core::ImageRgb8 decoded = decode_jpeg(encode_jpeg(image, 95));
+  ASSERT_EQ(decoded.size(), image.size());
+  int largest = 0;
+  for (std::size_t i = 0; i < image.pixels().size(); ++i) {
+    for (int c = 0; c < 3; ++c) {
+      largest = std::max(largest, std::abs(image.pixels()[i][c] - decoded.pixels()[i][c]));
+    }
+  }
+  EXPECT_LE(largest, 6);  // quality 95 of a smooth picture
+}
+
+TEST(Jpeg, HeaderTellsSizeAndSubsampling) {
+  const JpegHeader low = read_jpeg_header(encode_jpeg(gradient(61, 43), 80));
+  EXPECT_EQ(low.width, 61);
+  EXPECT_EQ(low.height, 43);
+  EXPECT_EQ(low.subsampling, JpegSubsampling::Yuv420);
+  EXPECT_EQ(read_jpeg_header(encode_jpeg(gradient(8, 8), 94)).subsampling, JpegSubsampling::Yuv420);
+  EXPECT_EQ(read_jpeg_header(encode_jpeg(gradient(8, 8), 95)).subsampling, JpegSubsampling::Yuv444);
+}
+
+TEST(Jpeg, RefusesAtTheHeaderAndSaysWhy) {
+  const Bytes good = encode_jpeg(gradient(16, 16), 80);
+  const std::size_t sof = frame_marker(good);
+  EXPECT_EQ(refusal(good), "accepted");
+  EXPECT_THAT(refusal(with_byte(good, sof, 0xC2)), testing::HasSubstr("progressive"));
+  EXPECT_THAT(refusal(with_byte(good, sof, 0xC3)), testing::HasSubstr("lossless"));
+  EXPECT_THAT(refusal(with_byte(good, sof, 0xC5)), testing::HasSubstr("hierarchical"));
+  EXPECT_THAT(refusal(with_byte(good, sof, 0xC9)), testing::HasSubstr("arithmetic"));
+  EXPECT_THAT(refusal(with_byte(good, sof + 3, 12)), testing::HasSubstr("12 bits"));
+  EXPECT_THAT(refusal(with_byte(good, sof + 8, 4)), testing::HasSubstr("CMYK"));
+  EXPECT_THAT(refusal(with_byte(good, sof + 8, 2)), testing::HasSubstr("2 components"));
+  EXPECT_THAT(refusal(with_byte(good, sof + 10, 0x41)), testing::HasSubstr("subsampling"));
+  EXPECT_THAT(refusal(with_byte(good, sof + 4, 0xFF)), testing::HasSubstr("65296"));
+  EXPECT_THAT(refusal(with_byte(with_byte(good, sof + 4, 0), sof + 5, 0)),
+              testing::HasSubstr("16x0"));
+  EXPECT_THAT(refusal({}), testing::HasSubstr("not a JPEG"));
+}
+
+TEST(Jpeg, RefusesMoreScansThanComponents) {
+  Bytes jpeg = encode_jpeg(gradient(16, 16), 80);
+  jpeg.resize(jpeg.size() - 2);  // the end marker
+  const Bytes scan{std::byte{0xFF}, std::byte{0xDA}, std::byte{0}, std::byte{2}};
+  for (int i = 0; i < 1000; ++i) jpeg.insert(jpeg.end(), scan.begin(), scan.end());
+  EXPECT_THAT(refusal(jpeg), testing::HasSubstr("more scans"));
+}
+
+TEST(Jpeg, RefusesEveryTruncation) {
+  const Bytes jpeg = encode_jpeg(gradient(64, 64), 80);
+  for (std::size_t size = 0; size < jpeg.size(); ++size) {
+    EXPECT_THROW(decode_jpeg(std::span(jpeg).first(size)), JpegError) << size;
+  }
+}
+
+// What lies in memory from an earlier picture must never show in a damaged one (reliability, fault
+// 15).
+TEST(Jpeg, DamagedPicturesNeverShowEarlierPixels) {
+  const Bytes magenta = encode_jpeg(core::ImageRgb8(64, 64, core::Rgb8(255, 0, 255)), 90);
+  const Bytes green = encode_jpeg(core::ImageRgb8(64, 64, core::Rgb8(0, 200, 0)), 90);
+  std::mt19937 random(1);
+  std::uniform_int_distribution<std::size_t> any_bit(0, green.size() * 8 - 1);
+  for (int i = 0; i < 2000; ++i) {
+    decode_jpeg(magenta);
+    Bytes flipped = green;
+    const std::size_t bit = any_bit(random);
+    flipped[bit / 8] ^= std::byte{1} << (bit % 8);
+    try {
+      const core::ImageRgb8 image = decode_jpeg(flipped);
+      // A flip may change colours but cannot make the previous picture.
+      EXPECT_NE(image.at(0, 0), core::Rgb8(254, 0, 254));
+    } catch (const JpegError&) {
+    }
+  }
+}
+
+TEST(Jpeg, EncoderRefusesWhatItCannotDo) {
+  EXPECT_THROW(encode_jpeg(core::ImageRgb8(), 80), JpegError);
+  EXPECT_THROW(encode_jpeg(gradient(4, 4), 0), JpegError);
+  EXPECT_THROW(encode_jpeg(gradient(4, 4), 101), JpegError);
+}
+
+TEST(Jpeg, FuzzedFilesAreDecodedOrRefused) {
+  const auto data = tests::test_data();
+  if (!data) GTEST_SKIP() << "test data not found";
+  int decoded = 0, refused = 0;
+  for (const Bytes& file : files_in(*data / "robustness" / "jpeg_afl_turbo")) {
+    try {
+      decode_jpeg(file);
+      ++decoded;
+    } catch (const JpegError& error) {
+      EXPECT_STRNE(error.what(), "");
+      ++refused;
+    }
+  }
+  RecordProperty("decoded", decoded);
+  RecordProperty("refused", refused);
+  EXPECT_GT(decoded + refused, 900);
+}
+
+TEST(Jpeg, ARealPhotographIsAccepted) {
+  const auto data = tests::test_data();
+  if (!data) GTEST_SKIP() << "test data not found";
+  const auto path = *data / "real_markers" / "opencv_contrib" / "singlemarkersoriginal.jpg";
+  EXPECT_EQ(decode_jpeg(read_file(path)).size(), glm::ivec2(640, 480));
+}
+
+TEST(Jpeg, ArithmeticAndTwelveBitFilesAreRefusedByName) {
+  const auto data = tests::test_data();
+  if (!data) GTEST_SKIP() << "test data not found";
+  std::vector<std::string> reasons;
+  for (const Bytes& file : files_in(*data / "robustness" / "jpeg_valid"))
+    reasons.push_back(refusal(file));
+  EXPECT_THAT(reasons, testing::Contains(testing::HasSubstr("arithmetic")));
+  EXPECT_THAT(reasons, testing::Contains(testing::HasSubstr("12 bits")));
+  EXPECT_THAT(reasons, testing::Contains("accepted"));
+}
+
+}  // namespace
+}  // namespace amalgam::codec
