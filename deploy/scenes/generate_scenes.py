@@ -26,17 +26,18 @@ def complex_scene():
     """Marker 40 lies at the origin, the viewer at +Z looks down on it; mirrors stand at the back."""
     scene = new_scene()
     a_box, ball = box(), sphere(32, 32)
-    pane = [0.15, 0.11, 0.006]
+    # Mirrors lean back like pictures on an easel: the camera looks down, and upright ones would show it
+    # the desk alone. The glass stands half on a marker of the photograph that the demo uses, to refract it.
     scene.add("real mirror", a_box, mirror_material(scene, "real mirror", 0.9), role="real",
-              translation=[-0.125, LIFT, -0.185], rotation=turn(22), scale=pane)
+              translation=[-0.120, 0.0015 + LIFT, -0.150], rotation=turn(18, 14), scale=[0.16, 0.13, 0.006])
     scene.add("virtual mirror", a_box, mirror_material(scene, "virtual mirror", 0.95),
-              translation=[0.095, LIFT, -0.185], rotation=turn(-22), scale=pane)
+              translation=[0.090, 0.0015 + LIFT, -0.150], rotation=turn(-24, 14), scale=[0.15, 0.12, 0.006])
     scene.add("marble cube", a_box, marble_material(scene),
-              translation=[-0.012, LIFT, -0.095], rotation=turn(28), scale=[0.045] * 3)
+              translation=[-0.018, LIFT, -0.066], rotation=turn(28), scale=[0.045] * 3)
     scene.add("mirror sphere", ball, mirror_material(scene, "chrome", 0.95),
-              translation=[-0.078, 0.032 + LIFT, -0.055], scale=[0.032] * 3)
+              translation=[-0.098, 0.032 + LIFT, -0.078], scale=[0.032] * 3)
     scene.add("glass sphere", ball, glass_material(scene, 0.066),
-              translation=[0.070, 0.033 + LIFT, -0.060], scale=[0.033] * 3)
+              translation=[0.052, 0.033 + LIFT, -0.086], scale=[0.033] * 3)
     return scene
 
 

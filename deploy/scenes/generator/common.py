@@ -30,7 +30,8 @@ def glass_material(scene, thickness):
     })
 
 
-def turn(degrees):
-    """The rotation about +Y as a glTF quaternion."""
-    half = math.radians(degrees) / 2
-    return [0.0, math.sin(half), 0.0, math.cos(half)]
+def turn(degrees, lean=0.0):
+    """Quaternion x y z w: upright turned about +Y, leaning back (its top away from its front, +Z)."""
+    half_turn, half_lean = math.radians(degrees) / 2, -math.radians(lean) / 2
+    return [math.cos(half_turn) * math.sin(half_lean), math.sin(half_turn) * math.cos(half_lean),
+            -math.sin(half_turn) * math.sin(half_lean), math.cos(half_turn) * math.cos(half_lean)]
