@@ -42,7 +42,7 @@ struct ThesisBuffers {
         real.at(x, y) += glm::vec3(traced.real.at(x, y));
         environment_reflection.at(x, y) += traced.environment_reflection.at(x, y);
         virtual_mask.at(x, y) =
-            std::max(virtual_mask.at(x, y), float{traced.met_virtual.at(x, y) != 0});
+            std::max(virtual_mask.at(x, y), static_cast<float>(traced.met_virtual.at(x, y)));
       }
     }
   }

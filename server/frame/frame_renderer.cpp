@@ -63,7 +63,7 @@ class FrameRenderer::Impl {
   Impl(scene::Scene scene, const RendererSettings& settings)
       : settings_(settings),
         scene_(scene_variant(std::move(scene), settings.mode)),
-        features_(scene::find_features(scene_)),
+        features_(scene::scene_features(scene_)),
         arena_(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic),
         owner_(std::this_thread::get_id()) {
     check_settings(settings);

@@ -39,31 +39,28 @@ std::pair<core::ImageRgb32f, std::uint64_t> split(const core::ImageRgba32f& imag
 }  // namespace
 
 ResolveOutputs add_resolve_pass(graph::FrameGraph& graph, const ResolveInputs& in) {
-  ResolveOutputs out;
-  graph
-      .add_pass("resolve",
-                [&](graph::Builder& builder) {
-                  builder.needs(in.diffuse.mixed);
-                  builder.needs(in.diffuse.real);
-                  builder.needs(in.exposure);
-                  out.layers = builder.writes<Layers>("diffuse layers");
-                  out.nonfinite = builder.writes<std::uint64_t>("non-finite diffuse values");
-                })
-      .runs([in, out](const graph::Access& access) {
-        const glm::ivec2 size(in.view.ideal.width, in.view.ideal.height);
-        RasterTargets& targets = in.raster.targets;
-        const gl::Texture& over = ensure_target(targets.over, gl::TextureFormat::Rgba32f, size);
-        const gl::Texture& difference =
-            ensure_target(targets.difference, gl::TextureFormat::Rgba32f, size);
-        draw_layers(in, access.get(in.diffuse.mixed), access.get(in.diffuse.real),
-                    access.get(in.exposure), over, difference);
-        Layers layers;
-        layers.over = read_rgba(&over);
-        auto [colors, replaced] = split(read_rgba(&difference));
-        layers.difference = std::move(colors);
-        access.set(out.layers, std::move(layers));
-        access.set(out.nonfinite, replaced);
-      });
+  graph::Builder builder = graph.add_pass("resolve");
+  builder.needs(in.diffuse.mixed);
+  builder.needs(in.diffuse.real);
+  builder.needs(in.effect);
+  builder.needs(in.exposure);
+  const ResolveOutputs out{builder.writes<Layers>("diffuse layers"),
+                           builder.writes<std::uint64_t>("non-finite diffuse values")};
+  builder.runs([in, out](const graph::Access& access) {
+    const glm::ivec2 size(in.view.ideal.width, in.view.ideal.height);
+    RasterTargets& targets = in.raster.targets;
+    const gl::Texture& over = ensure_target(targets.over, gl::TextureFormat::Rgba32f, size);
+    const gl::Texture& difference =
+        ensure_target(targets.difference, gl::TextureFormat::Rgba32f, size);
+    draw_layers(in, access.get(in.diffuse.mixed), access.get(in.diffuse.real),
+                access.get(in.exposure), over, difference);
+    Layers layers;
+    layers.over = read_rgba(&over);
+    auto [colors, replaced] = split(read_rgba(&difference));
+    layers.difference = std::move(colors);
+    access.set(out.layers, std::move(layers));
+    access.set(out.nonfinite, replaced);
+  });
   return out;
 }
 

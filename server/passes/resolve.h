@@ -12,6 +12,7 @@
 
 #include "graph/frame_graph.h"
 #include "passes/diffuse.h"
+#include "passes/effect.h"
 #include "passes/frame_resources.h"
 #include "passes/raster_context.h"
 
@@ -21,6 +22,7 @@ struct ResolveInputs {
   const RasterContext& raster;
   const RenderView& view;
   DiffuseOutputs diffuse;
+  graph::Handle<DiffuseEffect> effect;  // without it all layers would be zero
   graph::Handle<float> exposure;
 };
 
