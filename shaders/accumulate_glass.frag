@@ -9,24 +9,20 @@
 layout(location = 0) in vec3 world_position;
 layout(location = 1) in vec3 world_normal;
 layout(location = 2) in vec2 surface_uv;
-layout(location = 1) uniform uint layer_index;
 
 layout(location = 0) out vec4 depth_and_nearest;
 
 void main() {
-  Instance instance = instances[instance_index];
-  Material material = materials[instance.material];
-  vec4 color = base_color(instance, material, surface_uv);
-  if (is_cut_out(material, color)) discard;
+  vec4 color = base_color(surface_uv);
+  if (is_cut_out(color)) discard;
 
-  ShadowLayer layer = shadow_layers[layer_index];
-  bool perspective = layer.perspective != 0u;
-  vec3 to_light = perspective ? normalize(layer.eye - world_position) : layer.eye;
+  bool perspective = light_perspective != 0u;
+  vec3 to_light = perspective ? normalize(light_eye - world_position) : light_eye;
   // Parallel light: from anywhere, since only differences count.
-  float t = perspective ? distance(layer.eye, world_position) : -dot(to_light, world_position);
+  float t = perspective ? distance(light_eye, world_position) : -dot(to_light, world_position);
 
-  Normals normals = surface_normals(instance, world_normal);
-  float through = 1.0 - glass_reflectance(material, abs(dot(normals.shading, to_light)));
+  Normals normals = surface_normals(world_normal);
+  float through = 1.0 - glass_reflectance(abs(dot(normals.shading, to_light)));
   vec3 depth = -log(max(through * color.rgb, vec3(kMinTransmittance)));
   if (material.thin == 0u) {
     depth += material.absorption * (dot(normals.geometric, to_light) > 0.0 ? -t : t);

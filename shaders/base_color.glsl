@@ -4,7 +4,8 @@
 // drivers' samplers mix with 8-bit weights (llvmpipe, most GPUs) or decode by an approximation, and
 // the tracer would then see other colours than the rasteriser.
 
-#if HAS_TEXTURES
+// TEXTURED: this program is for surfaces with a texture.
+#if TEXTURED
 layout(binding = 0) uniform usampler2D base_color_texture;
 
 float decode_srgb(uint byte) { return srgb_table[byte >> 2][byte & 3u]; }
@@ -12,8 +13,8 @@ float decode_srgb(uint byte) { return srgb_table[byte >> 2][byte & 3u]; }
 int wrap_texel(int i, int size, uint wrap) {  // 0 repeat, 1 mirror, 2 clamp
   if (wrap == 2u) return clamp(i, 0, size - 1);
   int period = wrap == 0u ? size : 2 * size;
-  int m = i % period;
-  if (m < 0) m += period;
+  // The remainder of a negative number is undefined in GLSL.
+  int m = i >= 0 ? i % period : period - 1 - (-1 - i) % period;
   return m < size ? m : period - 1 - m;
 }
 
@@ -38,12 +39,20 @@ vec4 sample_base_color(vec2 uv, uvec2 wrap) {
 }
 #endif
 
-vec4 base_color(Instance instance, Material material, vec2 uv) {
-#if HAS_TEXTURES
-  if (instance.textured != 0u) return material.base_color * sample_base_color(uv, material.wrap);
-#endif
+vec4 base_color(vec2 uv) {
+#if TEXTURED
+  return material.base_color * sample_base_color(uv, material.wrap);
+#else
   return material.base_color;
+#endif
 }
 
-// Alpha masks: where nothing is. Materials without one have a cutoff below 0.
-bool is_cut_out(Material material, vec4 color) { return color.a < material.alpha_cutoff; }
+// Alpha masks: where nothing is. Without a texture a surface is there as a whole or is not drawn at
+// all, and the driver may test depth before it shades.
+bool is_cut_out(vec4 color) {
+#if TEXTURED
+  return color.a < material.alpha_cutoff;
+#else
+  return false;
+#endif
+}

@@ -6,7 +6,5 @@
 layout(location = 2) in vec2 surface_uv;
 
 void main() {
-  Instance instance = instances[instance_index];
-  Material material = materials[instance.material];
-  if (is_cut_out(material, base_color(instance, material, surface_uv))) discard;
+  if (is_cut_out(base_color(surface_uv))) discard;
 }

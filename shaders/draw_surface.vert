@@ -13,9 +13,8 @@ layout(location = 1) out vec3 world_normal;  // not unit: normalised where it is
 layout(location = 2) out vec2 surface_uv;
 
 void main() {
-  Instance instance = instances[instance_index];
-  world_position = (instance.world_from_mesh * vec4(position, 1.0)).xyz;
-  world_normal = mat3(instance.normal_from_mesh) * normal;
+  world_position = (world_from_mesh * vec4(position, 1.0)).xyz;
+  world_normal = mat3(normal_from_mesh) * normal;
   surface_uv = uv;
-  gl_Position = instance.clip_from_mesh * vec4(position, 1.0);
+  gl_Position = clip_from_mesh * vec4(position, 1.0);
 }

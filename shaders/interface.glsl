@@ -1,15 +1,5 @@
 // What GLSL and C++ agree on; the other half of this file is server/gl/shader_interface.h.
 
-struct Instance {
-  mat4 clip_from_mesh;
-  mat4 world_from_mesh;
-  mat4 normal_from_mesh;  // cofactors
-  uint material;
-  uint flags;             // what the mask shows
-  uint textured;
-  uint unused;
-};
-
 struct Material {
   vec4 base_color;
   vec3 emission;
@@ -34,24 +24,24 @@ struct Light {
   float cos_outer;
   uint first_layer;
   uint layer_count;
-  uint unused;
-};
-
-struct ShadowLayer {
-  mat4 clip_from_world;
-  vec3 eye;          // perspective: the light's position; parallel: unit vector to the light
-  uint perspective;
-  float texel;       // side of a texel, metres (perspective: at 1 m)
-  uint unused[3];
+  float texel;           // side of a texel, metres (perspective: at 1 m)
+  mat4 clip_from_world;  // a cube: [0][0] is the tangent of its sides' half angle
 };
 
 layout(std140, binding = 0) uniform Frame { vec4 eye_in_world; };
 layout(std140, binding = 1) uniform SrgbTable { vec4 srgb_table[64]; };
+layout(std140, binding = 2) uniform Surface {
+  mat4 clip_from_mesh;
+  mat4 world_from_mesh;
+  mat4 normal_from_mesh;  // cofactors
+  Material material;
+  uint surface_flags;     // what the mask shows
+};
+layout(std140, binding = 3) uniform Lights { Light lights[512]; };
+layout(std140, binding = 4) uniform ShadowLayer {
+  mat4 clip_from_world;
+  vec3 light_eye;          // perspective: the light's position; parallel: unit vector to the light
+  uint light_perspective;
+};
 
-layout(std430, binding = 0) readonly buffer Instances { Instance instances[]; };
-layout(std430, binding = 1) readonly buffer Materials { Material materials[]; };
-layout(std430, binding = 2) readonly buffer FaceNormals { vec4 face_normals[]; };
-layout(std430, binding = 3) readonly buffer Lights { Light lights[]; };
-layout(std430, binding = 4) readonly buffer ShadowLayers { ShadowLayer shadow_layers[]; };
-
-layout(location = 0) uniform uint instance_index;
+layout(std430, binding = 0) readonly buffer FaceNormals { vec4 face_normals[]; };

@@ -33,7 +33,7 @@ struct PhongTerms {
   float exponent;
 };
 
-PhongTerms phong_terms(Material material, vec3 color) {
+PhongTerms phong_terms(vec3 color) {
   const float kDielectricF0 = 0.04;
   return PhongTerms(color * (1.0 - material.metallic) * (1.0 - kDielectricF0),
                     mix(vec3(kDielectricF0), color, material.metallic), material.phong_exponent);

@@ -10,6 +10,7 @@
 
 layout(early_fragment_tests) in;
 layout(binding = 1) uniform usampler2D mask_flags;
+layout(location = 1) uniform uint light_count;
 
 layout(location = 0) in vec3 world_position;
 layout(location = 1) in vec3 world_normal;
@@ -20,24 +21,22 @@ layout(location = 1) out vec4 real_image;
 const uint kVirtual = 1u;
 
 void main() {
-  Instance instance = instances[instance_index];
   // Of coincident surfaces the mask pass chose one; another kind must not show through.
-  if (texelFetch(mask_flags, ivec2(gl_FragCoord.xy), 0).r != instance.flags) discard;
-  Material material = materials[instance.material];
-  vec4 color = base_color(instance, material, surface_uv);
-  if (is_cut_out(material, color)) discard;
+  if (texelFetch(mask_flags, ivec2(gl_FragCoord.xy), 0).r != surface_flags) discard;
+  vec4 color = base_color(surface_uv);
+  if (is_cut_out(color)) discard;
 
   vec3 view = normalize(eye_in_world.xyz - world_position);
-  Normals normals = surface_normals(instance, world_normal);
+  Normals normals = surface_normals(world_normal);
   if (dot(normals.geometric, view) < 0.0) {
     normals.geometric = -normals.geometric;
     normals.shading = -normals.shading;
   }
-  PhongTerms terms = phong_terms(material, color.rgb);
+  PhongTerms terms = phong_terms(color.rgb);
 
   precise vec3 mixed = material.emission;
   precise vec3 real = material.emission;
-  for (uint i = 0u; i < uint(lights.length()); ++i) {
+  for (uint i = 0u; i < light_count; ++i) {
     Light light = lights[i];
     LightArrival arrival = light_arrival(light, world_position);
     float cosine = dot(normals.shading, arrival.to_light);
@@ -48,7 +47,7 @@ void main() {
     mixed += contribution * attenuation.mixed;
     real += contribution * attenuation.real;
   }
-  bool is_virtual = (instance.flags & kVirtual) != 0u;
+  bool is_virtual = (surface_flags & kVirtual) != 0u;
   mixed_image = vec4(mixed, is_virtual ? 1.0 : 0.0);
   real_image = is_virtual ? vec4(0.0) : vec4(real, 1.0);
 }

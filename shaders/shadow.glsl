@@ -19,7 +19,7 @@
 const float kMinTransmittance = 1e-6;
 
 // F of one interface (solid), or of a whole sheet (thin).
-float glass_reflectance(Material material, float cosine) {
+float glass_reflectance(float cosine) {
   float m = clamp(1.0 - cosine, 0.0, 1.0);
   float r0 = material.normal_reflectance;
   float r = r0 + (1.0 - r0) * m * m * m * m * m;
@@ -33,29 +33,44 @@ layout(binding = 4) uniform sampler2DArray real_glass_map;
 layout(binding = 5) uniform sampler2DArray virtual_glass_map;
 layout(location = 2) uniform uint shadow_maps_present;
 
-uint cube_side(vec3 d) {
+// The side of a cube that a direction points to (+x -x +y -y +z -z), and its clip coordinates there:
+// the other two axes in cyclic order.
+vec4 cube_clip(vec3 d, float tangent, float near, out uint side) {
   vec3 a = abs(d);
-  if (a.x >= a.y && a.x >= a.z) return d.x >= 0.0 ? 0u : 1u;
-  if (a.y >= a.z) return d.y >= 0.0 ? 2u : 3u;
-  return d.z >= 0.0 ? 4u : 5u;
+  if (a.x >= a.y && a.x >= a.z) {
+    side = d.x >= 0.0 ? 0u : 1u;
+    return vec4(d.yz / tangent, near, a.x);
+  }
+  if (a.y >= a.z) {
+    side = d.y >= 0.0 ? 2u : 3u;
+    return vec4(d.zx / tangent, near, a.y);
+  }
+  side = d.z >= 0.0 ? 4u : 5u;
+  return vec4(d.xy / tangent, near, a.z);
 }
 
 // Where to look: xy in the map, layer, reversed depth of the receiver.
 vec4 shadow_lookup(Light light, vec3 point, vec3 geometric_normal, vec3 to_light) {
-  uint index = light.first_layer;
-  float texel = shadow_layers[index].texel;
+  float texel = light.texel;
   if (light.kind != 0u) texel *= distance(point, light.position);
   // A plane at angle a to the light changes its depth by d tan(a) within d; a step of d sin(a) along
   // its normal makes up for it. d: half a texel's diagonal and the filter's reach, 1.5 texels.
   float cosine = dot(geometric_normal, to_light);
   float sine = sqrt(max(1.0 - cosine * cosine, 0.0));
   vec3 lifted = point + geometric_normal * (1.5 * texel * sine);
-  if (light.layer_count == 6u) index += cube_side(lifted - light.position);
-  vec4 clip = shadow_layers[index].clip_from_world * vec4(lifted, 1.0);
-  vec3 ndc = clip.xyz / clip.w;
+
+  uint side = 0u;
+  vec4 clip = light.clip_from_world * vec4(lifted, 1.0);
+  if (light.layer_count == 6u) {
+    const float kNearPlane = 0.01;
+    clip = cube_clip(lifted - light.position, light.clip_from_world[0][0], kNearPlane, side);
+  }
   const float kRounding = 1e-5;  // of depth, [0, 1]; perspective depth: relative
+  vec3 ndc = clip.xyz / clip.w;
   float depth = light.kind == 0u ? ndc.z + kRounding : ndc.z * (1.0 + kRounding);
-  return vec4(0.5 * ndc.xy + 0.5, float(index), depth);
+  // Behind a spot light, where no light is either.
+  if (!(clip.w > 0.0)) return vec4(0.5, 0.5, 0.0, 2.0);
+  return vec4(0.5 * ndc.xy + 0.5, float(light.first_layer + side), depth);
 }
 
 float opaque_attenuation(sampler2DArrayShadow map, vec4 lookup) {

@@ -5,10 +5,10 @@ struct Normals {
   vec3 shading;    // unit, interpolated
 };
 
-Normals surface_normals(Instance instance, vec3 interpolated) {
+Normals surface_normals(vec3 interpolated) {
   Normals normals;
   normals.geometric =
-      normalize(mat3(instance.normal_from_mesh) * face_normals[gl_PrimitiveID].xyz);
+      normalize(mat3(normal_from_mesh) * face_normals[gl_PrimitiveID].xyz);
   float len = length(interpolated);
   normals.shading = len > 0.0 ? interpolated / len : normals.geometric;
   return normals;

@@ -7,8 +7,6 @@ layout(location = 2) in vec2 surface_uv;
 layout(location = 0) out uint flags;
 
 void main() {
-  Instance instance = instances[instance_index];
-  Material material = materials[instance.material];
-  if (is_cut_out(material, base_color(instance, material, surface_uv))) discard;
-  flags = instance.flags;
+  if (is_cut_out(base_color(surface_uv))) discard;
+  flags = surface_flags;
 }

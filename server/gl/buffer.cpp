@@ -35,6 +35,11 @@ void Buffer::bind_uniform(GLuint binding) const {
   glBindBufferBase(GL_UNIFORM_BUFFER, binding, id_);
 }
 
+void Buffer::bind_uniform_range(GLuint binding, std::size_t offset, std::size_t bytes) const {
+  glBindBufferRange(GL_UNIFORM_BUFFER, binding, id_, static_cast<GLintptr>(offset),
+                    static_cast<GLsizeiptr>(bytes));
+}
+
 void Buffer::bind_storage(GLuint binding) const {
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, id_);
 }

@@ -24,6 +24,7 @@ class Buffer {
 
   GLuint id() const { return id_; }
   void bind_uniform(GLuint binding) const;
+  void bind_uniform_range(GLuint binding, std::size_t offset, std::size_t bytes) const;
   void bind_storage(GLuint binding) const;
 
  private:

@@ -26,9 +26,10 @@ std::string error_name(GLenum error) {
   }
 }
 
-void on_message(GLenum, GLenum type, GLuint, GLenum, GLsizei length, const GLchar* text,
+void on_message(GLenum source, GLenum type, GLuint, GLenum, GLsizei length, const GLchar* text,
                 const void*) {
-  if (type != GL_DEBUG_TYPE_ERROR) return;
+  // Shaders that do not compile are thrown by ShaderProgram, with their source.
+  if (type != GL_DEBUG_TYPE_ERROR || source == GL_DEBUG_SOURCE_SHADER_COMPILER) return;
   const std::string message(text, static_cast<std::size_t>(length));
   core::log_error("OpenGL: " + message);
 #ifndef NDEBUG

@@ -53,14 +53,6 @@ GpuMaterial describe_material(const scene::Scene& scene, const scene::Material& 
   return gpu;
 }
 
-Buffer upload_materials(const scene::Scene& scene) {
-  std::vector<GpuMaterial> materials;
-  for (const scene::Material& material : scene.materials) {
-    materials.push_back(describe_material(scene, material));
-  }
-  return Buffer::of(std::span<const GpuMaterial>(materials));
-}
-
 // As four to a vector: std140 would pad single floats to 16 bytes.
 Buffer upload_srgb_table() {
   std::array<float, 256> table{};
@@ -94,9 +86,7 @@ SceneFeatures find_features(const scene::Scene& scene) {
 }
 
 GpuScene::GpuScene(const scene::Scene& scene)
-    : materials_(upload_materials(scene)),
-      srgb_table_(upload_srgb_table()),
-      screen_(screen_triangle()) {
+    : srgb_table_(upload_srgb_table()), screen_(screen_triangle()) {
   for (const scene::Mesh& mesh : scene.meshes) meshes_.push_back(upload_mesh(mesh));
   for (const scene::Texture& texture : scene.textures) {
     textures_.emplace_back(TextureFormat::Rgba8ui, texture.texels.size());
@@ -104,20 +94,24 @@ GpuScene::GpuScene(const scene::Scene& scene)
   }
   for (const scene::Material& material : scene.materials) {
     texture_of_material_.push_back(material.base_color_texture);
+    materials_.push_back(describe_material(scene, material));
   }
   for (const scene::Instance& instance : scene.instances) {
+    const scene::Material& material = scene.materials[instance.material];
+    const bool textured = material.base_color_texture.has_value() && meshes_[instance.mesh].has_uvs;
+    const bool masked = material.alpha_cutoff.has_value();
     instances_.push_back(
         {.mesh = instance.mesh,
          .material = instance.material,
          .role = instance.role,
-         .kind = scene.materials[instance.material].kind,
-         .textured = scene.materials[instance.material].base_color_texture.has_value() &&
-                     meshes_[instance.mesh].has_uvs});
+         .kind = material.kind,
+         .textured = textured,
+         .cut_out = textured && masked,
+         .invisible = !textured && masked && material.base_color.a < *material.alpha_cutoff});
   }
 }
 
 void GpuScene::bind_tables() const {
-  materials_.bind_storage(kMaterialsBinding);
   srgb_table_.bind_uniform(kSrgbTableBinding);
 }
 

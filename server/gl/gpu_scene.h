@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gl/buffer.h"
+#include "gl/shader_interface.h"
 #include "gl/texture.h"
 #include "gl/vertex_array.h"
 #include "scene/scene.h"
@@ -26,7 +27,9 @@ struct GpuInstanceInfo {
   std::uint32_t material = 0;
   scene::Role role = scene::Role::Virtual;
   scene::MaterialKind kind = scene::MaterialKind::Diffuse;
-  bool textured = false;  // the material has a texture and the mesh has uvs
+  bool textured = false;   // the material has a texture and the mesh has uvs
+  bool cut_out = false;    // textured, with an alpha mask
+  bool invisible = false;  // its alpha mask leaves nothing
 };
 
 // What shaders can do without, because the scene has none of it.
@@ -44,7 +47,9 @@ class GpuScene {
   const std::vector<GpuMesh>& meshes() const { return meshes_; }
   const std::vector<GpuInstanceInfo>& instances() const { return instances_; }
 
-  // Binds the tables that all drawing reads: materials and the sRGB curve.
+  const std::vector<GpuMaterial>& materials() const { return materials_; }
+
+  // Binds the table that reads textures: the sRGB curve.
   void bind_tables() const;
   // Draws the mesh with its face normals and the material's texture bound.
   void draw(std::uint32_t mesh, std::uint32_t material) const;
@@ -57,7 +62,7 @@ class GpuScene {
   std::vector<GpuInstanceInfo> instances_;
   std::vector<Texture> textures_;  // RGBA8UI, sRGB-encoded as in the file
   std::vector<std::optional<std::uint32_t>> texture_of_material_;
-  Buffer materials_;
+  std::vector<GpuMaterial> materials_;
   Buffer srgb_table_;
   VertexArray screen_;
 };

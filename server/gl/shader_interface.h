@@ -1,7 +1,11 @@
 // What C++ and GLSL agree on: bindings, locations and the layout of buffers. The other half of this
 // file is shaders/interface.glsl.
+//
+// Nearly everything is a uniform block, bound by range where there is one entry for each draw:
+// software GL reads those once for all fragments, but shader storage once for each.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -10,15 +14,14 @@
 
 namespace amalgam::gl {
 
-// Uniform buffers.
+// Uniform blocks.
 constexpr unsigned kFrameBinding = 0;
 constexpr unsigned kSrgbTableBinding = 1;
-// Shader storage buffers.
-constexpr unsigned kInstancesBinding = 0;
-constexpr unsigned kMaterialsBinding = 1;
-constexpr unsigned kFaceNormalsBinding = 2;
+constexpr unsigned kSurfaceBinding = 2;
 constexpr unsigned kLightsBinding = 3;
-constexpr unsigned kShadowLayersBinding = 4;
+constexpr unsigned kShadowLayerBinding = 4;
+// Shader storage.
+constexpr unsigned kFaceNormalsBinding = 0;
 // Texture units.
 constexpr unsigned kBaseColorUnit = 0;
 constexpr unsigned kMaskUnit = 1;
@@ -26,28 +29,22 @@ constexpr unsigned kShadowMapUnit = 2;  // and the next three, in the order of C
 constexpr unsigned kMixedUnit = 6;
 constexpr unsigned kRealUnit = 7;
 // Uniform locations.
-constexpr int kInstanceIndexLocation = 0;
-constexpr int kLayerIndexLocation = 1;
+constexpr int kLightCountLocation = 1;
 constexpr int kShadowMapsPresentLocation = 2;  // bit i: the map of CasterClass i is bound
 constexpr int kSamplesPerSideLocation = 3;
 constexpr int kExposureLocation = 4;
+
+// As many as 64 KiB hold, the size of a uniform block on every desktop driver.
+constexpr std::size_t kMaxLights = 512;
+
+// The coarsest alignment that a driver may ask of a range in a uniform buffer.
+constexpr std::size_t kRangeAlignment = 256;
 
 struct GpuFrame {  // std140
   glm::vec4 eye_in_world{0.0f};
 };
 
-struct GpuInstance {  // std430
-  glm::mat4 clip_from_mesh{1.0f};
-  glm::mat4 world_from_mesh{1.0f};
-  glm::mat4 normal_from_mesh{1.0f};  // upper 3x3: cofactors, sign of the determinant; any scale
-  std::uint32_t material = 0;
-  std::uint32_t flags = 0;     // what the mask shows: bits of passes::SampleMask
-  std::uint32_t textured = 0;  // the material has a base colour texture and the mesh has uvs
-  std::uint32_t unused = 0;
-};
-static_assert(sizeof(GpuInstance) == 208);
-
-struct GpuMaterial {  // std430
+struct GpuMaterial {  // std140
   glm::vec4 base_color{1.0f};
   glm::vec3 emission{0.0f};
   float metallic = 0.0f;
@@ -62,7 +59,17 @@ struct GpuMaterial {  // std430
 };
 static_assert(sizeof(GpuMaterial) == 80);
 
-struct GpuLight {  // std430
+// One for each instance that is drawn.
+struct alignas(kRangeAlignment) GpuSurface {  // std140
+  glm::mat4 clip_from_mesh{1.0f};
+  glm::mat4 world_from_mesh{1.0f};
+  glm::mat4 normal_from_mesh{1.0f};  // upper 3x3: cofactors, sign of the determinant; any scale
+  GpuMaterial material;
+  std::uint32_t flags = 0;  // what the mask shows: bits of passes::SampleMask
+};
+static_assert(offsetof(GpuSurface, flags) == 272);
+
+struct GpuLight {  // std140
   glm::vec3 to_light{0.0f};
   std::uint32_t kind = 0;  // scene::Light::Kind
   glm::vec3 position{0.0f};
@@ -72,17 +79,17 @@ struct GpuLight {  // std430
   float cos_outer = 0.0f;
   std::uint32_t first_layer = 0;
   std::uint32_t layer_count = 1;  // 1, or 6: sides of a cube, +x -x +y -y +z -z
-  std::uint32_t unused = 0;
+  float texel = 0.0f;             // side of a texel, metres (perspective: at 1 m from the light)
+  // Of its only layer. A cube: the tangent of its sides' half angle, in the first element.
+  glm::mat4 clip_from_world{1.0f};
 };
-static_assert(sizeof(GpuLight) == 64);
+static_assert(sizeof(GpuLight) * kMaxLights == 65536);
 
-struct GpuShadowLayer {  // std430
+// For drawing one layer of the shadow maps.
+struct alignas(kRangeAlignment) GpuShadowLayer {  // std140
   glm::mat4 clip_from_world{1.0f};
   glm::vec3 eye{0.0f};  // perspective: the light's position; parallel: unit vector to the light
   std::uint32_t perspective = 0;
-  float texel = 0.0f;  // side of a texel, metres (perspective: at 1 m from the light)
-  std::uint32_t unused[3] = {};
 };
-static_assert(sizeof(GpuShadowLayer) == 96);
 
 }  // namespace amalgam::gl

@@ -2,20 +2,28 @@
 // the server there and not in some frame.
 #pragma once
 
+#include <optional>
+
 #include "gl/gpu_scene.h"
 #include "gl/shader_program.h"
 
 namespace amalgam::gl {
 
+// A program for surfaces, and one that also reads their textures, if the scene has any.
+struct SurfaceProgram {
+  ShaderProgram plain;
+  std::optional<ShaderProgram> textured;
+};
+
 struct ShaderLibrary {
   // Features that the scene lacks are left out of the shaders' code.
   explicit ShaderLibrary(const SceneFeatures& features);
 
-  ShaderProgram write_mask;
-  ShaderProgram shade_diffuse;
-  ShaderProgram draw_depth;        // from the camera
-  ShaderProgram draw_caster;       // depth from a light
-  ShaderProgram accumulate_glass;  // optical depth from a light
+  SurfaceProgram write_mask;
+  SurfaceProgram shade_diffuse;
+  SurfaceProgram draw_depth;        // from the camera
+  SurfaceProgram draw_caster;       // depth from a light
+  SurfaceProgram accumulate_glass;  // optical depth from a light
   ShaderProgram query_effect;
   ShaderProgram resolve_samples;
 };

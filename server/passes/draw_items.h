@@ -1,25 +1,30 @@
-// Draws the instances of a view that a pass cares for, with one program.
+// Draws the instances of a view that a pass cares for.
 #pragma once
 
 #include "gl/shader_interface.h"
-#include "gl/shader_program.h"
+#include "gl/shader_library.h"
 #include "passes/raster_context.h"
 #include "passes/upload_view.h"
 
 namespace amalgam::passes {
 
-// The framebuffer and the pipeline state are set by the caller. wanted(const DrawItem&) -> bool.
+// What a pass needs textures for: the surface's colour, or only to find the holes in it.
+enum class TextureUse : std::uint8_t { Color, Holes };
+
+// The framebuffer, the pipeline state and the program's own uniforms are set by the caller.
+// wanted(const DrawItem&) -> bool.
 template <typename Wanted>
 void draw_items(const RasterContext& raster, const DeviceView& device_view,
-                const gl::ShaderProgram& program, const Wanted& wanted) {
-  program.use();
+                const gl::SurfaceProgram& programs, TextureUse use, const Wanted& wanted) {
   raster.scene.bind_tables();
   device_view.frame.bind_uniform(gl::kFrameBinding);
-  device_view.instances.bind_storage(gl::kInstancesBinding);
   for (std::size_t i = 0; i < device_view.items.size(); ++i) {
     const DrawItem& item = device_view.items[i];
     if (!wanted(item)) continue;
-    program.set(gl::kInstanceIndexLocation, static_cast<GLuint>(i));
+    const bool textured = use == TextureUse::Color ? item.textured : item.cut_out;
+    (textured ? *programs.textured : programs.plain).use();
+    device_view.surfaces.bind_uniform_range(gl::kSurfaceBinding, i * sizeof(gl::GpuSurface),
+                                            sizeof(gl::GpuSurface));
     raster.scene.draw(item.mesh, item.material);
   }
 }

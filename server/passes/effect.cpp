@@ -25,22 +25,18 @@ bool anything_virtual_shows(const RasterContext& raster, DeviceImage mixed, Devi
 }  // namespace
 
 EffectOutputs add_effect_pass(graph::FrameGraph& graph, const EffectInputs& in) {
-  EffectOutputs out;
-  graph
-      .add_pass("effect",
-                [&](graph::Builder& builder) {
-                  builder.needs(in.diffuse.mixed);
-                  builder.needs(in.diffuse.real);
-                  out.effect = builder.writes<DiffuseEffect>("diffuse effect");
-                })
-      .runs([in, out](const graph::Access& access) {
-        if (anything_virtual_shows(in.raster, access.get(in.diffuse.mixed),
-                                   access.get(in.diffuse.real))) {
-          access.set(out.effect, DiffuseEffect{});
-        } else {
-          access.leave_empty(out.effect, "nothing virtual has an effect on this frame");
-        }
-      });
+  graph::Builder builder = graph.add_pass("effect");
+  builder.needs(in.diffuse.mixed);
+  builder.needs(in.diffuse.real);
+  const EffectOutputs out{.effect = builder.writes<DiffuseEffect>("diffuse effect")};
+  builder.runs([in, out](const graph::Access& access) {
+    if (anything_virtual_shows(in.raster, access.get(in.diffuse.mixed),
+                               access.get(in.diffuse.real))) {
+      access.set(out.effect, DiffuseEffect{});
+    } else {
+      access.leave_empty(out.effect, "nothing virtual has an effect on this frame");
+    }
+  });
   return out;
 }
 

@@ -19,7 +19,7 @@ DeviceMask draw_mask(const MaskInputs& in, const DeviceView& device_view) {
   framebuffer.bind();
   framebuffer.clear_color(0, glm::uvec4(0));
   framebuffer.clear_depth();
-  draw_items(in.raster, device_view, in.raster.shaders.write_mask,
+  draw_items(in.raster, device_view, in.raster.shaders.write_mask, TextureUse::Holes,
              [](const DrawItem&) { return true; });
   return {&flags, &depth};
 }
@@ -44,35 +44,31 @@ SampleCounts count(const SampleMask& mask) {
 }  // namespace
 
 MaskOutputs add_mask_pass(graph::FrameGraph& graph, const MaskInputs& in) {
-  MaskOutputs out;
-  graph
-      .add_pass("mask",
-                [&](graph::Builder& builder) {
-                  builder.needs(in.device_view);
-                  out.device = builder.writes<DeviceMask>("device mask");
-                  out.mask = builder.writes<SampleMask>("M_v and M_r");
-                  out.counts = builder.writes<SampleCounts>("sample counts");
-                  out.specular = builder.writes<SpecularSamples>("specular samples");
-                  out.diffuse = builder.writes<DiffuseSamples>("diffuse samples");
-                })
-      .runs([in, out](const graph::Access& access) {
-        const DeviceMask device = draw_mask(in, access.get(in.device_view));
-        SampleMask mask = read_mask(*device.flags);
-        const SampleCounts counts = count(mask);
-        access.set(out.device, device);
-        access.set(out.mask, std::move(mask));
-        access.set(out.counts, counts);
-        if (counts.specular > 0) {
-          access.set(out.specular, SpecularSamples{counts.specular});
-        } else {
-          access.leave_empty(out.specular, "no specular pixel in this frame");
-        }
-        if (counts.surface > counts.specular) {
-          access.set(out.diffuse, DiffuseSamples{counts.surface - counts.specular});
-        } else {
-          access.leave_empty(out.diffuse, "no diffuse object in view");
-        }
-      });
+  graph::Builder builder = graph.add_pass("mask");
+  builder.needs(in.device_view);
+  const MaskOutputs out{.device = builder.writes<DeviceMask>("device mask"),
+                        .mask = builder.writes<SampleMask>("M_v and M_r"),
+                        .counts = builder.writes<SampleCounts>("sample counts"),
+                        .specular = builder.writes<SpecularSamples>("specular samples"),
+                        .diffuse = builder.writes<DiffuseSamples>("diffuse samples")};
+  builder.runs([in, out](const graph::Access& access) {
+    const DeviceMask device = draw_mask(in, access.get(in.device_view));
+    SampleMask mask = read_mask(*device.flags);
+    const SampleCounts counts = count(mask);
+    access.set(out.device, device);
+    access.set(out.mask, std::move(mask));
+    access.set(out.counts, counts);
+    if (counts.specular > 0) {
+      access.set(out.specular, SpecularSamples{counts.specular});
+    } else {
+      access.leave_empty(out.specular, "no specular pixel in this frame");
+    }
+    if (counts.surface > counts.specular) {
+      access.set(out.diffuse, DiffuseSamples{counts.surface - counts.specular});
+    } else {
+      access.leave_empty(out.diffuse, "no diffuse object in view");
+    }
+  });
   return out;
 }
 

@@ -23,7 +23,7 @@ RealDepth draw_real_depth(const RealDepthInputs& in, const DeviceView& device_vi
   gl::apply({.depth = gl::PipelineState::Depth::NearestWrites});
   framebuffer.bind();
   framebuffer.clear_depth();
-  draw_items(in.raster, device_view, in.raster.shaders.draw_depth, is_real);
+  draw_items(in.raster, device_view, in.raster.shaders.draw_depth, TextureUse::Holes, is_real);
 
   RealDepth result{core::Image32f(size.x, size.y)};
   depth.read(result.z.data(), result.z.pixels().size_bytes());
@@ -38,22 +38,18 @@ RealDepth draw_real_depth(const RealDepthInputs& in, const DeviceView& device_vi
 }  // namespace
 
 RealDepthOutputs add_real_depth_pass(graph::FrameGraph& graph, const RealDepthInputs& in) {
-  RealDepthOutputs out;
-  graph
-      .add_pass("real depth",
-                [&](graph::Builder& builder) {
-                  builder.needs(in.specular);
-                  builder.needs(in.device_view);
-                  out.depth = builder.writes<RealDepth>("real-only depth");
-                })
-      .runs([in, out](const graph::Access& access) {
-        const DeviceView& device_view = access.get(in.device_view);
-        if (std::any_of(device_view.items.begin(), device_view.items.end(), is_real)) {
-          access.set(out.depth, draw_real_depth(in, device_view));
-        } else {
-          access.leave_empty(out.depth, "no real object in view");
-        }
-      });
+  graph::Builder builder = graph.add_pass("real depth");
+  builder.needs(in.specular);
+  builder.needs(in.device_view);
+  const RealDepthOutputs out{.depth = builder.writes<RealDepth>("real-only depth")};
+  builder.runs([in, out](const graph::Access& access) {
+    const DeviceView& device_view = access.get(in.device_view);
+    if (std::any_of(device_view.items.begin(), device_view.items.end(), is_real)) {
+      access.set(out.depth, draw_real_depth(in, device_view));
+    } else {
+      access.leave_empty(out.depth, "no real object in view");
+    }
+  });
   return out;
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <stdexcept>
+#include <string>
 
 #include "passes/upload_view.h"
 
@@ -23,6 +25,11 @@ void set_row(glm::dmat4& matrix, int row, const glm::dvec3& linear, double const
   for (int column = 0; column < 3; ++column) matrix[column][row] = linear[column];
   matrix[3][row] = constant;
 }
+
+struct Layer {
+  gl::GpuShadowLayer gpu;
+  float texel = 0.0f;  // GpuLight::texel
+};
 
 struct Bounds {
   glm::dvec3 low{std::numeric_limits<double>::infinity()};
@@ -49,8 +56,8 @@ Bounds bounds_along(const std::array<glm::dvec3, 3>& axes, const RenderView& vie
   return bounds;
 }
 
-gl::GpuShadowLayer parallel_layer(const glm::vec3& to_light, const RenderView& view,
-                                  const gl::GpuScene& scene, int size) {
+Layer parallel_layer(const glm::vec3& to_light, const RenderView& view, const gl::GpuScene& scene,
+                     int size) {
   const auto axes = basis_towards(glm::normalize(glm::dvec3(to_light)));
   Bounds bounds = bounds_along(axes, view, scene);
   // A little room: for the filter at the border, and because a flat scene has no depth at all.
@@ -69,29 +76,39 @@ gl::GpuShadowLayer parallel_layer(const glm::vec3& to_light, const RenderView& v
   gl::GpuShadowLayer layer;
   layer.clip_from_world = glm::mat4(clip);
   layer.eye = to_light;
-  layer.texel = static_cast<float>(std::max(side.x, side.y) / size);
-  return layer;
+  return {layer, static_cast<float>(std::max(side.x, side.y) / size)};
 }
 
-// Looks along -backwards from the light.
-gl::GpuShadowLayer perspective_layer(const glm::dvec3& position, const glm::dvec3& backwards,
-                                     double half_angle, int size) {
-  const auto axes = basis_towards(backwards);
-  // Room for the filter beyond the border.
-  const double tangent = std::tan(half_angle) * (1.0 + 4.0 / size);
+// Looks along axes[2] from the light.
+Layer perspective_layer(const glm::dvec3& position, const std::array<glm::dvec3, 3>& axes,
+                        double tangent, int size) {
   glm::dmat4 clip(0.0);
   for (int i = 0; i < 2; ++i) {
     const glm::dvec3 axis = axes[static_cast<std::size_t>(i)] / tangent;
     set_row(clip, i, axis, -glm::dot(axis, position));
   }
   clip[3][2] = kNearPlane;
-  set_row(clip, 3, -backwards, glm::dot(backwards, position));
+  set_row(clip, 3, axes[2], -glm::dot(axes[2], position));
   gl::GpuShadowLayer layer;
   layer.clip_from_world = glm::mat4(clip);
   layer.eye = glm::vec3(position);
   layer.perspective = 1;
-  layer.texel = static_cast<float>(2.0 * tangent / size);
-  return layer;
+  return {layer, static_cast<float>(2.0 * tangent / size)};
+}
+
+// Room for the filter beyond the border.
+double with_room(double tangent, int size) {
+  return tangent * (1.0 + 4.0 / size);
+}
+
+// Sides in the order +x -x +y -y +z -z; a side's other two axes in cyclic order (shadow.glsl).
+std::array<glm::dvec3, 3> cube_axes(int side) {
+  const int forward = side / 2;
+  std::array<glm::dvec3, 3> axes{};
+  axes[0][(forward + 1) % 3] = 1.0;
+  axes[1][(forward + 2) % 3] = 1.0;
+  axes[2][forward] = side % 2 == 0 ? 1.0 : -1.0;
+  return axes;
 }
 
 double spot_half_angle(const scene::Light& light) {
@@ -142,6 +159,11 @@ bool are_equal(const std::vector<T>& a, const std::vector<T>& b) {
 }  // namespace
 
 ShadowLayout make_shadow_layout(const RenderView& view, const gl::GpuScene& scene, int size) {
+  if (view.lights.size() > gl::kMaxLights) {
+    throw std::runtime_error(std::to_string(view.lights.size()) +
+                             " lights, but rasterising takes " + std::to_string(gl::kMaxLights) +
+                             " at most");
+  }
   ShadowLayout layout;
   layout.lights = view.lights;
   layout.instances = view.scene.instances;
@@ -150,24 +172,30 @@ ShadowLayout make_shadow_layout(const RenderView& view, const gl::GpuScene& scen
   for (const scene::Light& light : view.lights) layers += layers_needed(light);
   layout.size = size > 0 ? size : size_for(layers);
 
-  constexpr double kCubeHalfAngle = 0.78539816339744831;  // 45 degrees
-  const std::array<glm::dvec3, 6> sides = {glm::dvec3(1, 0, 0), glm::dvec3(-1, 0, 0),
-                                           glm::dvec3(0, 1, 0), glm::dvec3(0, -1, 0),
-                                           glm::dvec3(0, 0, 1), glm::dvec3(0, 0, -1)};
   for (const scene::Light& light : view.lights) {
-    layout.gpu_lights.push_back(describe(light, layout.layers.size()));
-    const glm::dvec3 position(light.position);
+    gl::GpuLight& gpu = layout.gpu_lights.emplace_back(describe(light, layout.layers.size()));
+    const auto add = [&](const Layer& layer) {
+      layout.layers.push_back(layer.gpu);
+      gpu.texel = layer.texel;
+      gpu.clip_from_world = layer.gpu.clip_from_world;
+    };
     if (light.kind == scene::Light::Kind::Directional) {
-      layout.layers.push_back(parallel_layer(light.to_light, view, scene, layout.size));
-    } else if (layers_needed(light) == 1) {
-      layout.layers.push_back(perspective_layer(position,
-                                                glm::normalize(glm::dvec3(light.to_light)),
-                                                spot_half_angle(light), layout.size));
-    } else {
-      for (const glm::dvec3& side : sides) {
-        layout.layers.push_back(perspective_layer(position, -side, kCubeHalfAngle, layout.size));
-      }
+      add(parallel_layer(light.to_light, view, scene, layout.size));
+      continue;
     }
+    const glm::dvec3 position(light.position);
+    if (gpu.layer_count == 1) {
+      auto axes = basis_towards(glm::normalize(glm::dvec3(light.to_light)));
+      axes[2] = -axes[2];
+      const double tangent = with_room(std::tan(spot_half_angle(light)), layout.size);
+      add(perspective_layer(position, axes, tangent, layout.size));
+      continue;
+    }
+    const double tangent = with_room(1.0, layout.size);
+    for (int side = 0; side < 6; ++side) {
+      add(perspective_layer(position, cube_axes(side), tangent, layout.size));
+    }
+    gpu.clip_from_world[0][0] = static_cast<float>(tangent);
   }
   return layout;
 }

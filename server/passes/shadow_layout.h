@@ -27,6 +27,7 @@ struct ShadowLayout {
   std::vector<gl::GpuShadowLayer> layers;
 };
 
+// Throws std::runtime_error if there are more than gl::kMaxLights lights.
 // size: texels a side; 0: by the number of layers (2048 to 8 layers, 1024 to 32, then 512).
 ShadowLayout make_shadow_layout(const RenderView& view, const gl::GpuScene& scene, int size);
 

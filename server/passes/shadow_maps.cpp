@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "gl/framebuffer.h"
 #include "gl/pipeline_state.h"
@@ -45,19 +46,19 @@ graph::Handle<SharedLights> add_lights(graph::FrameGraph& graph, const ShadowMap
     graph.note_left_out("upload lights", kNothingMoved);
     return graph.import("lights", in.cache.lights);
   }
-  graph::Handle<SharedLights> out;
-  graph
-      .add_pass("upload lights",
-                [&](graph::Builder& builder) { out = builder.writes<SharedLights>("lights"); })
-      .runs([in, out](const graph::Access& access) {
-        in.raster.context.check_thread();
-        ShadowLayout layout = make_shadow_layout(in.view, in.raster.scene, in.options.size);
-        gl::Buffer lights = gl::Buffer::of(std::span<const gl::GpuLight>(layout.gpu_lights));
-        gl::Buffer layers = gl::Buffer::of(std::span<const gl::GpuShadowLayer>(layout.layers));
-        in.cache.lights = std::make_shared<const DeviceLights>(std::move(layout), std::move(lights),
-                                                               std::move(layers));
-        access.set(out, in.cache.lights);
-      });
+  graph::Builder builder = graph.add_pass("upload lights");
+  const auto out = builder.writes<SharedLights>("lights");
+  builder.runs([in, out](const graph::Access& access) {
+    in.raster.context.check_thread();
+    ShadowLayout layout = make_shadow_layout(in.view, in.raster.scene, in.options.size);
+    std::vector<gl::GpuLight> block = layout.gpu_lights;
+    block.resize(gl::kMaxLights);  // a block must be bound in full
+    gl::Buffer lights = gl::Buffer::of(std::span<const gl::GpuLight>(block));
+    gl::Buffer layers = gl::Buffer::of(std::span<const gl::GpuShadowLayer>(layout.layers));
+    in.cache.lights = std::make_shared<const DeviceLights>(std::move(layout), std::move(lights),
+                                                           std::move(layers));
+    access.set(out, in.cache.lights);
+  });
   return out;
 }
 
@@ -65,7 +66,8 @@ graph::Handle<SharedLights> add_lights(graph::FrameGraph& graph, const ShadowMap
 const gl::Texture& ensure_layers(std::optional<gl::Texture>& image, CasterClass casters,
                                  const ShadowLayout& layout) {
   const int layers = static_cast<int>(layout.layers.size());
-  const glm::ivec2 size(layout.size);
+  // Glass takes four times the memory a texel, and what it lets through is smooth but at its rim.
+  const glm::ivec2 size(is_glass(casters) ? std::max(layout.size / 2, 1) : layout.size);
   if (!image || image->size() != size || image->layers() != layers) {
     image.reset();
     const bool glass = is_glass(casters);
@@ -79,8 +81,6 @@ void draw_layer(const RasterContext& raster, const DeviceView& device_view, Cast
                 const gl::Texture& image, int layer) {
   using State = gl::PipelineState;
   const bool glass = is_glass(casters);
-  const gl::ShaderProgram& program =
-      glass ? raster.shaders.accumulate_glass : raster.shaders.draw_caster;
   gl::Framebuffer::Attachments attachments{.layer = layer};
   if (glass) {
     attachments.colors = {&image};
@@ -96,8 +96,9 @@ void draw_layer(const RasterContext& raster, const DeviceView& device_view, Cast
   } else {
     framebuffer.clear_depth();
   }
-  program.set(gl::kLayerIndexLocation, static_cast<GLuint>(layer));
-  draw_items(raster, device_view, program,
+  draw_items(raster, device_view,
+             glass ? raster.shaders.accumulate_glass : raster.shaders.draw_caster,
+             glass ? TextureUse::Color : TextureUse::Holes,
              [&](const DrawItem& item) { return class_of(item.role, item.kind) == casters; });
 }
 
@@ -120,25 +121,24 @@ graph::Handle<ShadowMap> add_caster_class(graph::FrameGraph& graph, const Shadow
     graph.note_left_out(pass, kNothingMoved);
     return graph.import(resource, ShadowMap{&*entry.image});
   }
-  graph::Handle<ShadowMap> out;
-  graph
-      .add_pass(pass,
-                [&](graph::Builder& builder) {
-                  builder.needs(lights);
-                  builder.needs(in.device_view);
-                  out = builder.writes<ShadowMap>(resource);
-                })
-      .runs([in, casters, lights, out, &entry](const graph::Access& access) {
-        const SharedLights& device_lights = access.get(lights);
-        const gl::Texture& image = ensure_layers(entry.image, casters, device_lights->layout);
-        device_lights->layers.bind_storage(gl::kShadowLayersBinding);
-        for (int layer = 0; layer < image.layers(); ++layer) {
-          draw_layer(in.raster, access.get(in.device_view), casters, image, layer);
-        }
-        glFinish();  // or this pass's time would be charged to whoever waits for the GPU next
-        entry.drawn_for = device_lights;
-        access.set(out, ShadowMap{&image});
-      });
+  graph::Builder builder = graph.add_pass(pass);
+  builder.needs(lights);
+  builder.needs(in.device_view);
+  const auto out = builder.writes<ShadowMap>(resource);
+  builder.runs([in, casters, lights, out, &entry](const graph::Access& access) {
+    const SharedLights& device_lights = access.get(lights);
+    const gl::Texture& image = ensure_layers(entry.image, casters, device_lights->layout);
+    device_lights->layers.bind_storage(gl::kShadowLayerBinding);
+    for (int layer = 0; layer < image.layers(); ++layer) {
+      device_lights->layers.bind_uniform_range(
+          gl::kShadowLayerBinding, static_cast<std::size_t>(layer) * sizeof(gl::GpuShadowLayer),
+          sizeof(gl::GpuShadowLayer));
+      draw_layer(in.raster, access.get(in.device_view), casters, image, layer);
+    }
+    glFinish();  // or this pass's time would be charged to whoever waits for the GPU next
+    entry.drawn_for = device_lights;
+    access.set(out, ShadowMap{&image});
+  });
   return out;
 }
 

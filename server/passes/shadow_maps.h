@@ -26,7 +26,7 @@ enum class CasterClass : std::uint8_t { RealOpaque, VirtualOpaque, RealGlass, Vi
 constexpr std::size_t kCasterClasses = 4;
 
 // A 2D array texture, one layer for each of the layout. Opaque casters: depth 32F, reversed.
-// Glass: RGBA32F, optical depth in RGB and the nearest glass's reversed depth in A.
+// Glass: RGBA32F at half the side, optical depth in RGB, the nearest glass's reversed depth in A.
 struct ShadowMap {
   DeviceImage image = nullptr;
 };

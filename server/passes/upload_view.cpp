@@ -35,24 +35,24 @@ std::uint32_t mask_flags(const gl::GpuInstanceInfo& info) {
 DeviceView upload(const RasterContext& raster, const RenderView& view) {
   const glm::dmat4 clip_from_world = clip_from_camera(view.ideal) * view.scene.camera_from_world;
   std::vector<DrawItem> items;
-  std::vector<gl::GpuInstance> instances;
+  std::vector<gl::GpuSurface> surfaces;
   for (const scene::AnchoredInstance& anchored : view.scene.instances) {
     const gl::GpuInstanceInfo& info = raster.scene.instances()[anchored.instance];
-    items.push_back({info.mesh, info.material, info.role, info.kind});
+    if (info.invisible) continue;
+    items.push_back({info.mesh, info.material, info.role, info.kind, info.textured, info.cut_out});
     const glm::dmat4 world_from_mesh(anchored.world_from_mesh);
-    gl::GpuInstance instance;
-    instance.clip_from_mesh = glm::mat4(clip_from_world * world_from_mesh);
-    instance.world_from_mesh = anchored.world_from_mesh;
-    instance.normal_from_mesh = glm::mat4(glm::dmat4(normal_matrix(glm::dmat3(world_from_mesh))));
-    instance.material = info.material;
-    instance.flags = mask_flags(info);
-    instance.textured = info.textured ? 1 : 0;
-    instances.push_back(instance);
+    gl::GpuSurface surface;
+    surface.clip_from_mesh = glm::mat4(clip_from_world * world_from_mesh);
+    surface.world_from_mesh = anchored.world_from_mesh;
+    surface.normal_from_mesh = glm::mat4(glm::dmat4(normal_matrix(glm::dmat3(world_from_mesh))));
+    surface.material = raster.scene.materials()[info.material];
+    surface.flags = mask_flags(info);
+    surfaces.push_back(surface);
   }
   gl::GpuFrame frame;
   frame.eye_in_world = glm::vec4(core::rigid_inverse(view.scene.camera_from_world)[3]);
   return {.items = std::move(items),
-          .instances = gl::Buffer::of(std::span<const gl::GpuInstance>(instances)),
+          .surfaces = gl::Buffer::of(std::span<const gl::GpuSurface>(surfaces)),
           .frame = gl::Buffer::of(std::span<const gl::GpuFrame>(&frame, 1))};
 }
 
@@ -72,16 +72,12 @@ glm::dmat4 clip_from_camera(const core::CameraModel& ideal) {
 }
 
 UploadViewOutputs add_upload_view_pass(graph::FrameGraph& graph, const UploadViewInputs& in) {
-  UploadViewOutputs out;
-  graph
-      .add_pass("upload view",
-                [&](graph::Builder& builder) {
-                  out.device_view = builder.writes<DeviceView>("device view");
-                })
-      .runs([in, out](const graph::Access& access) {
-        in.raster.context.check_thread();
-        access.set(out.device_view, upload(in.raster, in.view));
-      });
+  graph::Builder builder = graph.add_pass("upload view");
+  const UploadViewOutputs out{.device_view = builder.writes<DeviceView>("device view")};
+  builder.runs([in, out](const graph::Access& access) {
+    in.raster.context.check_thread();
+    access.set(out.device_view, upload(in.raster, in.view));
+  });
   return out;
 }
 

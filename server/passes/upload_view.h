@@ -30,12 +30,14 @@ struct DrawItem {
   std::uint32_t material = 0;
   scene::Role role = scene::Role::Virtual;
   scene::MaterialKind kind = scene::MaterialKind::Diffuse;
+  bool textured = false;
+  bool cut_out = false;  // textured, with an alpha mask
 };
 
 struct DeviceView {
   std::vector<DrawItem> items;
-  gl::Buffer instances;  // shader_interface.h: GpuInstance
-  gl::Buffer frame;      // shader_interface.h: GpuFrame
+  gl::Buffer surfaces;  // shader_interface.h: GpuSurface, one an item
+  gl::Buffer frame;     // GpuFrame
 };
 
 struct UploadViewInputs {

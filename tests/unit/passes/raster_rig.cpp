@@ -45,7 +45,7 @@ RasterFrame RasterRig::render(const passes::RenderView& view, float exposure) {
   const auto real_depth =
       passes::add_real_depth_pass(graph, {raster, view, uploaded.device_view, mask.specular});
   const auto resolve = passes::add_resolve_pass(
-      graph, {raster, view, diffuse, graph.import("exposure", exposure)});
+      graph, {raster, view, diffuse, effect.effect, graph.import("exposure", exposure)});
 
   RasterFrame frame;
   frame.mask = realise(graph, mask.mask);
