@@ -119,12 +119,10 @@ std::optional<glm::dvec2> undistort(const CameraModel& camera, const glm::dvec2&
     const DistortedPoint point = distort_with_jacobian(camera.distortion, ideal);
     const glm::dvec2 error = point.value - distorted;
     if (!is_finite(error)) return std::nullopt;
-    if (std::max(std::abs(error.x), std::abs(error.y)) < kTolerance) {
-      if (!is_before_fold(camera, ideal)) return std::nullopt;
-      return ideal;
-    }
+    const bool converged = std::max(std::abs(error.x), std::abs(error.y)) < kTolerance;
     if (!(std::abs(glm::determinant(point.jacobian)) > 1e-12)) return std::nullopt;
-    ideal -= glm::inverse(point.jacobian) * error;
+    ideal -= glm::inverse(point.jacobian) * error;  // the last step squares what error is left
+    if (converged) return is_before_fold(camera, ideal) ? std::optional(ideal) : std::nullopt;
   }
   return std::nullopt;
 }
