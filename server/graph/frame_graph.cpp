@@ -5,14 +5,6 @@
 
 namespace amalgam::graph {
 
-void FrameGraph::add_pass(std::string name, const std::function<void(Builder&)>& declare,
-                          std::function<void(const Access&)> execute) {
-  const int index = static_cast<int>(passes_.size());
-  passes_.push_back({.report = {.name = std::move(name)}, .execute = std::move(execute)});
-  Builder builder(*this, index);
-  declare(builder);
-}
-
 Builder FrameGraph::add_pass(std::string name) {
   passes_.push_back({.report = {.name = std::move(name)}});
   return {*this, static_cast<int>(passes_.size()) - 1};
@@ -20,16 +12,6 @@ Builder FrameGraph::add_pass(std::string name) {
 
 void Builder::runs(std::function<void(const Access&)> execute) {
   graph_.passes_[static_cast<std::size_t>(pass_)].execute = std::move(execute);
-}
-
-FrameGraph::Declared FrameGraph::add_pass(std::string name,
-                                          const std::function<void(Builder&)>& declare) {
-  add_pass(std::move(name), declare, {});
-  return {*this, passes_.size() - 1};
-}
-
-void FrameGraph::Declared::runs(std::function<void(const Access&)> execute) const {
-  graph_.passes_[pass_].execute = std::move(execute);
 }
 
 void FrameGraph::note_left_out(std::string name, std::string reason) {

@@ -110,25 +110,6 @@ class FrameGraph {
   // A pass says what it reads and writes, and then what it runs, through the builder.
   [[nodiscard]] Builder add_pass(std::string name);
 
-  // declare(Builder&) names the reads and writes; execute(const Access&) does the work, at most
-  // once.
-  void add_pass(std::string name, const std::function<void(Builder&)>& declare,
-                std::function<void(const Access&)> execute);
-
-  // The same in two steps: add_pass(name, declare).runs(execute). Only so may `execute` capture the
-  // handles that `declare` makes: an argument's captures are copied before the call begins.
-  class Declared {
-   public:
-    void runs(std::function<void(const Access&)> execute) const;
-
-   private:
-    friend class FrameGraph;
-    Declared(FrameGraph& graph, std::size_t pass) : graph_(graph), pass_(pass) {}
-    FrameGraph& graph_;
-    std::size_t pass_;
-  };
-  [[nodiscard]] Declared add_pass(std::string name, const std::function<void(Builder&)>& declare);
-
   // A line in the pass list for work that is known beforehand not to be needed (its result is
   // cached, say).
   void note_left_out(std::string name, std::string reason);
