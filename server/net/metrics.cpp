@@ -85,7 +85,17 @@ struct Metrics::Families {
       counter("amalgam_nonfinite_total", "Values that a stage had to replace by 0").Add({});
 };
 
-Metrics::Metrics() : families_(std::make_unique<Families>()) {}
+Metrics::Metrics() : families_(std::make_unique<Families>()) {
+  // Counters that are there from the start, at 0, can be watched for their first increment.
+  for (const Skip reason : {Skip::ReplacedBeforeRender, Skip::ReplacedBeforeWrite, Skip::Refused,
+                            Skip::Draining, Skip::Closed}) {
+    families_->skipped.Add({{"reason", to_string(reason)}});
+  }
+  using protocol::Error;
+  for (int code = Error::Code_MIN + 1; code <= Error::Code_MAX; ++code) {
+    families_->errors.Add({{"code", Error::Code_Name(static_cast<Error::Code>(code))}});
+  }
+}
 Metrics::~Metrics() = default;
 
 void Metrics::session_opened() {
