@@ -107,6 +107,14 @@ void Texture::read(void* texels, std::size_t bytes) const {
   glGetTextureImage(id_, 0, info.external, info.type, static_cast<GLsizei>(bytes), texels);
 }
 
+void Texture::read_row(int row, void* texels, std::size_t bytes) const {
+  AMALGAM_CHECK(!is_array() && row >= 0 && row < size_.y, "row " + std::to_string(row));
+  const FormatInfo info = describe(format_);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glGetTextureSubImage(id_, 0, 0, row, 0, size_.x, 1, 1, info.external, info.type,
+                       static_cast<GLsizei>(bytes), texels);
+}
+
 void Texture::set_depth_comparison() {
   glTextureParameteri(id_, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
   glTextureParameteri(id_, GL_TEXTURE_COMPARE_FUNC, GL_GEQUAL);

@@ -33,6 +33,8 @@ class Texture {
   void upload(const void* texels);
   void read(void* texels, std::size_t bytes) const;  // bytes: exactly what the texture holds
 
+  void read_row(int row, void* texels, std::size_t bytes) const;  // bytes: at least a row's
+
   // Makes look-ups compare with the stored reversed depth: 1 where reference >= depth, linearly
   // weighted over 2x2 texels.
   void set_depth_comparison();

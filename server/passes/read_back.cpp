@@ -1,7 +1,8 @@
 #include "passes/read_back.h"
 
+#include <vector>
+
 #include "core/log.h"
-#include "gl/framebuffer.h"
 #include "gl/texture.h"
 
 namespace amalgam::passes {
@@ -15,15 +16,18 @@ core::ImageRgba32f read_rgba(DeviceImage image) {
 
 core::ImageRgba32f read_rgba_downsampled(DeviceImage image, int step) {
   if (step <= 1) return read_rgba(image);
-  // A nearest-neighbour blit takes the source texel at the centre of each block.
+  // Row by row: a scaling blit would do it in one go, but for even steps the middle of a block lies
+  // between texels, and which one is taken is the driver's choice.
   const glm::ivec2 blocks = image->size() / step;
-  if (blocks.x == 0 || blocks.y == 0) return {};
-  const gl::Texture small(gl::TextureFormat::Rgba32f, blocks);
-  const gl::Framebuffer from({.colors = {image}}), to({.colors = {&small}});
-  const glm::ivec2 covered = blocks * step;
-  glBlitNamedFramebuffer(from.id(), to.id(), 0, 0, covered.x, covered.y, 0, 0, blocks.x, blocks.y,
-                         GL_COLOR_BUFFER_BIT, GL_NEAREST);
-  return read_rgba(&small);
+  core::ImageRgba32f picked(blocks.x, blocks.y);
+  std::vector<glm::vec4> row(static_cast<std::size_t>(image->size().x));
+  for (int y = 0; y < blocks.y; ++y) {
+    image->read_row(y * step + step / 2, row.data(), row.size() * sizeof(glm::vec4));
+    for (int x = 0; x < blocks.x; ++x) {
+      picked.at(x, y) = row[static_cast<std::size_t>(x * step + step / 2)];
+    }
+  }
+  return picked;
 }
 
 }  // namespace amalgam::passes

@@ -3,11 +3,6 @@
 namespace amalgam::test_support {
 namespace {
 
-std::shared_ptr<gl::EglContext> shared_context() {
-  static const auto context = std::make_shared<gl::EglContext>();
-  return context;
-}
-
 template <typename T>
 std::optional<T> realise(graph::FrameGraph& graph, graph::Handle<T> handle) {
   const T* value = graph.realise(handle);
@@ -21,6 +16,11 @@ std::optional<core::ImageRgba32f> read(graph::FrameGraph& graph,
 }
 
 }  // namespace
+
+std::shared_ptr<gl::EglContext> shared_context() {
+  static const auto context = std::make_shared<gl::EglContext>();
+  return context;
+}
 
 const graph::PassReport& RasterFrame::report(const std::string& pass) const {
   for (const graph::PassReport& report : reports) {

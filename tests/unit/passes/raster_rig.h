@@ -37,6 +37,9 @@ struct RasterFrame {
   const graph::PassReport& report(const std::string& pass) const;
 };
 
+// One for the whole test program: a second one would take the thread from it.
+std::shared_ptr<gl::EglContext> shared_context();
+
 class RasterRig {
  public:
   explicit RasterRig(const scene::Scene& scene);
@@ -47,7 +50,7 @@ class RasterRig {
   passes::ShadowOptions shadow_options{};
 
  private:
-  std::shared_ptr<gl::EglContext> context_;  // one for the whole test program
+  std::shared_ptr<gl::EglContext> context_;
   gl::GpuScene scene_;
   gl::ShaderLibrary shaders_;
   passes::RasterTargets targets_;
