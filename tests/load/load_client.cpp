@@ -15,8 +15,8 @@ namespace asio = boost::asio;
 using asio::ip::tcp;
 using protocol::Envelope;
 
-// For answers to come after the last frame.
-constexpr std::chrono::seconds kPatience{5};
+// For answers to come after the last frame, also from a slow machine.
+constexpr std::chrono::seconds kPatience{20};
 constexpr double kMarkerDistance = 0.4;  // metres, straight ahead
 // Frames that may wait behind the one being written: none. This allows for small messages.
 constexpr std::size_t kMaxQueue = 2;
@@ -69,7 +69,7 @@ void LoadClient::read() {
   socket_.async_read_some(asio::buffer(buffer_),
                           [self = shared_from_this()](const ErrorCode& ec, std::size_t size) {
                             if (self->state_ == State::Ended) return;
-                            if (ec) return self->end(true);
+                            if (ec) return self->end(!self->draining_);
                             self->take(size);
                             if (self->state_ != State::Ended) self->read();
                           });
@@ -106,8 +106,10 @@ void LoadClient::visit(const Envelope& envelope) {
     case Envelope::kBusy:
       ++summary_.errors["BUSY"];
       return end(true);
-    case Envelope::kPong:
     case Envelope::kDraining:  // the server closes when it is done
+      draining_ = true;
+      return wait_for_answers();
+    case Envelope::kPong:
       return;
     case Envelope::kHello:
     case Envelope::kCameraFrame:
@@ -203,7 +205,7 @@ void LoadClient::write() {
   asio::async_write(socket_, asio::buffer(queue_.front()),
                     [self = shared_from_this()](const ErrorCode& ec, std::size_t size) {
                       if (self->state_ == State::Ended) return;
-                      if (ec) return self->end(true);
+                      if (ec) return self->end(!self->draining_);
                       self->summary_.bytes_sent += size;
                       self->queue_.pop_front();
                       if (!self->queue_.empty()) self->write();

@@ -53,6 +53,7 @@ class LoadClient : public std::enable_shared_from_this<LoadClient> {
   boost::asio::ip::tcp::socket socket_;
   boost::asio::steady_timer timer_;
   State state_ = State::Connecting;
+  bool draining_ = false;
   Clock::time_point begin_{}, next_frame_{};
   std::uint64_t last_frame_ = 0;
   std::uint64_t skipped_ = 0;
