@@ -7,6 +7,7 @@
 #include "codec/picture.h"
 #include "scene/gltf_check.h"
 #include "scene/gltf_container.h"
+#include "scene/gltf_lights.h"
 #include "scene/gltf_uri.h"
 #include "scene/scene_error.h"
 #include "scene/scene_folder.h"
@@ -51,6 +52,13 @@ bool keep_encoded(tinygltf::Image* image, const int, std::string*, std::string*,
   image->image.assign(bytes, bytes + size);
   image->as_is = true;
   return true;
+}
+
+void check_lights(const JsonCursor& root) {
+  const std::size_t lights = read_lights(root).size();
+  const auto nodes = root.find("nodes");
+  if (!nodes) return;
+  for (const JsonCursor& node : nodes->items()) node_light(node, lights);
 }
 
 // tinygltf only warns when a picture is missing.
@@ -127,6 +135,7 @@ GltfModel load_gltf_model(const std::filesystem::path& path, std::vector<std::st
   std::optional<std::size_t> binary_bytes;
   if (container.binary) binary_bytes = container.binary->size();
   check_gltf(root, binary_bytes, notes);
+  check_lights(root);
   check_external_files(root, folder);
   parse(loaded.model, container, folder);
   check_pictures(loaded.model, notes);

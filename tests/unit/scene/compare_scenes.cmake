@@ -1,0 +1,16 @@
+# Runs deploy/scenes/generate_scenes.py into OUTPUT and compares every file with the committed one.
+file(REMOVE_RECURSE ${OUTPUT})
+execute_process(COMMAND ${PYTHON} -B ${SCENES}/generate_scenes.py --output ${OUTPUT}
+  COMMAND_ERROR_IS_FATAL ANY)
+file(GLOB made RELATIVE ${OUTPUT} ${OUTPUT}/*)
+list(LENGTH made count)
+if(count LESS 8)
+  message(FATAL_ERROR "only ${count} files were made")
+endif()
+foreach(name ${made})
+  execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${OUTPUT}/${name} ${SCENES}/${name}
+    RESULT_VARIABLE differs)
+  if(differs)
+    message(FATAL_ERROR "${name} differs from the committed one: run generate_scenes.py")
+  endif()
+endforeach()

@@ -1,0 +1,151 @@
+#include "scene/gltf_check.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "unit/scene/gltf_sample.h"
+
+namespace amalgam::scene {
+namespace {
+
+using testing::HasSubstr;
+
+struct Breach {
+  std::string from, to;  // in the sample
+  std::string says;      // part of the message
+};
+
+class GltfCheck : public testing::TestWithParam<Breach> {};
+
+TEST_P(GltfCheck, IsRefusedByName) {
+  const Breach& breach = GetParam();
+  EXPECT_THAT(refusal_of(replaced(sample_gltf(), breach.from, breach.to)), HasSubstr(breach.says));
+}
+
+const std::string kNode = R"({"name": "thing", "mesh": 0})";
+
+INSTANTIATE_TEST_SUITE_P(
+    Buffers, GltfCheck,
+    testing::Values(
+        Breach{R"("buffer": 0, "byteOffset": 0, "byteLength": 36)",
+               R"("buffer": 1, "byteLength": 36)", "there is no buffers[1]"},
+        Breach{R"("byteOffset": 96, "byteLength": 8)", R"("byteOffset": 96, "byteLength": 9)",
+               "bufferViews[3]: reaches beyond its buffer"},
+        Breach{R"("byteOffset": 96, "byteLength": 8)",
+               R"("byteOffset": 9007199254740991, "byteLength": 8)",
+               "bufferViews[3]: reaches beyond"},
+        Breach{R"("byteLength": 104)", R"("byteLength": 1e300)", "buffers[0].byteLength"},
+        Breach{R"("byteLength": 104)", R"("byteLength": 105)", "holds 104 bytes"},
+        Breach{R"("byteLength": 104)", R"("byteLength": -1)", "buffers[0].byteLength"},
+        Breach{R"("byteOffset": 0, "byteLength": 36)",
+               R"("byteOffset": 0, "byteLength": 36, "byteStride": 8)", "byteStride"},
+        Breach{"octet-stream;base64,A", "octet-stream;base64,*", "base64"},
+        Breach{"application/octet-stream", "text/html", "text/html"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Accessors, GltfCheck,
+    testing::Values(
+        Breach{R"("count": 3, "type": "VEC2")", R"("count": 4, "type": "VEC2")",
+               "accessors[2]: reaches beyond"},
+        Breach{R"("count": 3, "type": "VEC2")", R"("count": 1e300, "type": "VEC2")",
+               "accessors[2].count"},
+        Breach{R"("count": 3, "type": "VEC2")", R"("count": 0, "type": "VEC2")",
+               "accessors[2].count"},
+        Breach{R"("count": 3, "type": "VEC2")", R"("count": 2, "type": "VEC2")", "another count"},
+        Breach{R"("type": "VEC2")", R"("type": "VEC7")", "VEC7"},
+        Breach{R"("componentType": 5123)", R"("componentType": 5124)", "component type"},
+        Breach{R"("componentType": 5123)", R"("componentType": 5122)", "not unsigned integers"},
+        Breach{R"("bufferView": 3)", R"("bufferView": 2)", "vertices and indices both"},
+        Breach{R"("bufferView": 3)", R"("bufferView": 3, "byteOffset": 1)", "not aligned"},
+        Breach{R"("max": [1, 1, 0])", R"("max": [0.5, 1, 0])", "outside min and max"},
+        Breach{
+            R"("bufferView": 3)",
+            R"("bufferView": 3, "sparse": {"count": 9, "indices": {"bufferView": 3, "componentType": 5123},
+                  "values": {"bufferView": 3}})",
+            "more sparse elements"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Meshes, GltfCheck,
+    testing::Values(Breach{R"("POSITION": 0)", R"("POSITION": 9)", "there is no accessors[9]"},
+                    Breach{R"("POSITION": 0)", R"("POSITION": 2)", "format"},
+                    Breach{R"("TEXCOORD_0")", R"("TEXCOORD_1")", "not numbered"},
+                    Breach{R"("TEXCOORD_0")", R"("COLOUR")", "is not an attribute"},
+                    Breach{R"("material": 0)", R"("material": 3)", "there is no materials[3]"},
+                    Breach{R"("indices": 3)", R"("indices": 3, "mode": 7)", "mode"},
+                    Breach{R"("indices": 3)", R"("indices": -1)", "indices"},
+                    Breach{R"("indices": 3)", R"("indices": "3")", "expected a number"},
+                    Breach{R"([{"attributes")", R"({"attributes")", "JSON"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Nodes, GltfCheck,
+    testing::Values(
+        Breach{kNode, R"({"children": [0]})", "its own ancestor"},
+        Breach{kNode, R"({"children": [1]}, {"children": [2]}, {"children": [1]})", "two parents"},
+        Breach{kNode, R"({"mesh": 0}, {"children": [2]}, {"children": [1]})", "its own ancestor"},
+        Breach{kNode, R"({"mesh": 4})", "there is no meshes[4]"},
+        Breach{kNode, R"({"mesh": 0, "scale": [1, 1]})", "expected 3 numbers"},
+        Breach{kNode, R"({"mesh": 0, "scale": [1, 1, 0]})", "singular"},
+        Breach{kNode, R"({"mesh": 0, "scale": [1, 1, 1e-7]})", "singular"},
+        Breach{kNode, R"({"mesh": 0, "scale": [1e-20, 1e-20, 1e-20]})", "singular"},
+        Breach{kNode, R"({"mesh": 0, "scale": [1e300, 1e300, 1e300]})", "too large"},
+        Breach{kNode, R"({"mesh": 0, "rotation": [0, 0, 0, 2]})", "unit quaternion"},
+        Breach{kNode, R"({"mesh": 0, "translation": [1, 2, 1e999]})", "JSON"},
+        Breach{kNode, R"({"mesh": 0, "skin": 0})", "there is no skins[0]"},
+        Breach{R"({"nodes": [0]})", R"({"nodes": [7]})", "there is no nodes[7]"},
+        Breach{R"("scene": 0)", R"("scene": 2)", "there is no scenes[2]"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Document, GltfCheck,
+    testing::Values(Breach{R"("version": "2.0")", R"("version": "1.0")", "1.0"},
+                    Breach{R"("version": "2.0")", R"("version": "two")", "two"},
+                    Breach{R"("version": "2.0")", R"("version": 2)", "expected a string"},
+                    Breach{R"("asset": {"version": "2.0"},)", "", "has no 'asset'"},
+                    Breach{R"("scene": 0)", R"("extensionsUsed": ["KHR_draco_mesh_compression"],
+                           "extensionsRequired": ["KHR_draco_mesh_compression"])",
+                           "KHR_draco_mesh_compression, which is not supported"},
+                    Breach{R"("scene": 0)", R"("scene": 0, "scene": 0)", "occurs twice"},
+                    Breach{R"("scene": 0)", R"("scene": 0, "cameras": [])", "cameras: is empty"},
+                    Breach{R"("scene": 0)",
+                           R"("scene": 0, "images": [{"uri": "data:image/gif;base64,AAAA"}])",
+                           "image/gif"},
+                    Breach{R"("scene": 0)",
+                           R"("scene": 0, "images": [{"uri": "data:image/png;base64,AAAA"}],
+                           "textures": [{"source": 1}])",
+                           "there is no images[1]"}));
+
+TEST(GltfCheck, DepthIsBoundedBeforeAnythingRecurses) {
+  std::string deep;
+  for (int i = 0; i < 100000; ++i) deep += "[";
+  EXPECT_THAT(refusal_of(deep), HasSubstr("nested"));
+  EXPECT_THAT(refusal_of(replaced(sample_gltf(), R"("scene": 0)", R"("extras": )" + deep)),
+              HasSubstr("nested"));
+}
+
+TEST(GltfCheck, LongChainsOfNodesAreRefusedOrRead) {
+  const auto chain = [](int length) {
+    std::string nodes;
+    for (int i = 0; i < length; ++i) nodes += R"({"children": [)" + std::to_string(i + 1) + "]}, ";
+    return replaced(sample_gltf(), kNode, nodes + kNode);
+  };
+  EXPECT_EQ(refusal_of(chain(900)), "accepted");
+  EXPECT_THAT(refusal_of(chain(20000)), HasSubstr("nested more than 1000"));
+}
+
+TEST(GltfCheck, IndicesBeyondTheVerticesAreRefused) {
+  // The last view read as one 32-bit index: 0x00010000 and 2.
+  const std::string text = replaced(sample_gltf(), R"("componentType": 5123, "count": 3)",
+                                    R"("componentType": 5125, "count": 2)");
+  EXPECT_THAT(refusal_of(text), HasSubstr("65536, but there are 3 vertices"));
+}
+
+TEST(GltfCheck, HarmlessBreachesAreNoted) {
+  const Scene scene =
+      load_text(replaced(replaced(sample_gltf(), R"(, "min": [0, 0, 0], "max": [1, 1, 0])", ""),
+                         R"("scene": 0)", R"("scene": 0, "extensions": {"EXT_unheard_of": {}})"));
+  EXPECT_EQ(scene.instances.size(), 1u);
+  EXPECT_THAT(scene.notes, testing::Contains(HasSubstr("no min and max")));
+  EXPECT_THAT(scene.notes, testing::Contains(HasSubstr("not declared")));
+}
+
+}  // namespace
+}  // namespace amalgam::scene

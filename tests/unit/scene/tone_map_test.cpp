@@ -1,0 +1,84 @@
+#include "scene/tone_map.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace amalgam::scene {
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+// numerics B17.
+TEST(ToneMap, CompressKeepsDigitsAtBothEnds) {
+  EXPECT_EQ(compress(0.0f), 0.0f);
+  EXPECT_FLOAT_EQ(compress(2e-38f), 2e-38f);
+  EXPECT_FLOAT_EQ(compress(1e-8f), 1e-8f);
+  EXPECT_EQ(compress(1.0f), 0.5f);
+  EXPECT_NEAR(compress(65504.0f), 0.999985f, 1e-6f);
+  EXPECT_EQ(compress(3e38f), 1.0f);
+  EXPECT_EQ(compress(kInfinity), 1.0f);
+}
+
+TEST(ToneMap, CompressIsMonotone) {
+  float before = 0.0f;
+  for (float x = 1e-38f; x < 1e38f; x *= 1.01f) {
+    EXPECT_GE(compress(x), before) << x;
+    before = compress(x);
+  }
+}
+
+TEST(ToneMap, ExpandIsTheInverse) {
+  for (float d = 0.0f; d < 0.995f; d += 0.001f) EXPECT_NEAR(compress(expand(d)), d, 1e-6f) << d;
+}
+
+TEST(ToneMap, ExpandStaysFinite) {
+  for (const float d : {1.0f, 2.0f, kInfinity}) {
+    EXPECT_TRUE(std::isfinite(expand(d)));
+    EXPECT_NEAR(expand(d), expand(srgb_decode(254.5f / 255.0f)), 0.01f);
+  }
+  EXPECT_EQ(expand(-1.0f), 0.0f);
+}
+
+TEST(ToneMap, ACameraPixelComesBackThroughTheTracer) {
+  for (const float exposure : {0.1f, 1.0f, 7.0f}) {
+    for (int byte = 0; byte < 255; ++byte) {
+      const glm::vec3 seen(srgb_decode(static_cast<std::uint8_t>(byte)));
+      const glm::vec3 back = tone_map(inverse_tone_map(seen, exposure), exposure);
+      EXPECT_EQ(srgb_encode(back), core::Rgb8(static_cast<std::uint8_t>(byte)))
+          << byte << " at " << exposure;
+    }
+  }
+}
+
+TEST(ToneMap, BytesSurviveDecodeAndEncode) {
+  for (int byte = 0; byte < 256; ++byte) {
+    EXPECT_EQ(srgb_encode(srgb_decode(static_cast<std::uint8_t>(byte))), byte);
+  }
+}
+
+TEST(ToneMap, SrgbMatchesTheStandard) {
+  EXPECT_EQ(srgb_decode(std::uint8_t{255}), 1.0f);
+  EXPECT_NEAR(srgb_decode(std::uint8_t{188}), 0.502886f, 1e-6f);
+  EXPECT_NEAR(srgb_decode(std::uint8_t{10}), 10.0f / 255.0f / 12.92f, 1e-7f);
+  EXPECT_EQ(srgb_encode(0.5f), 188);
+}
+
+TEST(ToneMap, EncodeClampsAndNanIsBlack) {
+  EXPECT_EQ(srgb_encode(-1.0f), 0);
+  EXPECT_EQ(srgb_encode(2.0f), 255);
+  EXPECT_EQ(srgb_encode(kInfinity), 255);
+  EXPECT_EQ(srgb_encode(std::numeric_limits<float>::quiet_NaN()), 0);
+}
+
+TEST(ToneMap, EncodeRoundsToNearest) {
+  for (int byte = 0; byte < 255; ++byte) {
+    const float middle = srgb_decode((static_cast<float>(byte) + 0.5f) / 255.0f);
+    EXPECT_EQ(srgb_encode(middle * (1.0f - 1e-5f)), byte);
+    EXPECT_EQ(srgb_encode(middle * (1.0f + 1e-5f)), byte + 1);
+  }
+}
+
+}  // namespace
+}  // namespace amalgam::scene
