@@ -1,0 +1,27 @@
+#include "support/reference/phong.h"
+
+#include <cmath>
+
+namespace amalgam::reference {
+
+Phong phong_of(const scene::Material& material, const Color& base_color) {
+  constexpr double kDielectricReflectance = 0.04;
+  const double metallic = static_cast<double>(material.metallic);
+  const double alpha = static_cast<double>(material.roughness) * material.roughness;
+  Phong phong;
+  phong.specular = glm::mix(Color(kDielectricReflectance), base_color, metallic);
+  phong.albedo = base_color * (1.0 - metallic) * (1.0 - kDielectricReflectance);
+  phong.exponent = alpha > 0.0 ? std::clamp(0.5 / (alpha * alpha) - 0.5, 0.0, 1024.0) : 1024.0;
+  return phong;
+}
+
+Color reflected(const Phong& phong, const Vec3& normal, const Vec3& to_light,
+                const Vec3& to_viewer) {
+  const double cosine = glm::dot(normal, to_light);
+  const Vec3 mirrored = 2.0 * cosine * normal - to_light;
+  const double lobe = std::pow(std::max(0.0, glm::dot(mirrored, to_viewer)), phong.exponent);
+  return cosine *
+         (phong.albedo / kPi + phong.specular * ((phong.exponent + 2.0) / (2.0 * kPi)) * lobe);
+}
+
+}  // namespace amalgam::reference

@@ -1,0 +1,134 @@
+#include "support/reference/reference_renderer.h"
+
+#include <array>
+#include <atomic>
+#include <stdexcept>
+#include <thread>
+
+#include "support/reference/lens.h"
+
+namespace amalgam::reference {
+namespace {
+
+// How a pixel's rays are nudged to find out whether they graze an edge.
+struct Nudge {
+  Vec2 pixels{0.0};
+  double lift = 0.0;  // metres
+};
+
+constexpr double kPixelNudge = 1e-4;
+constexpr double kLiftNudge = 1.0 / 65536.0;
+const std::array<Nudge, 5> kNudges = {{
+    {{-kPixelNudge, -kPixelNudge}, 0.0},
+    {{kPixelNudge, -kPixelNudge}, 0.0},
+    {{-kPixelNudge, kPixelNudge}, 0.0},
+    {{kPixelNudge, kPixelNudge}, 0.0},
+    {{0.0, 0.0}, kLiftNudge},
+}};
+
+class Rendering {
+ public:
+  Rendering(const World& world, const scene::Environment* environment,
+            const ReferenceRequest& request)
+      : request_(request),
+        ideal_(core::ideal_camera_covering(request.camera)),
+        view_{request.camera_image, request.camera, request.anchored.camera_from_world,
+              request.exposure},
+        inputs_{world, request.lights, environment, &view_, request.settings},
+        world_from_camera_(glm::inverse(request.anchored.camera_from_world)) {
+    const int w = ideal_.width, h = ideal_.height;
+    images_.mixed = images_.real = images_.environment_reflection =
+        core::Image<Color>(w, h, Color(0.0));
+    images_.virtual_mask = images_.specular_mask = images_.grazing =
+        core::Image<std::uint8_t>(w, h, 0);
+    images_.layers = {core::Image<Vec4>(w, h, Vec4(0.0)), core::Image<Color>(w, h, Color(0.0))};
+  }
+
+  ReferenceImages render() {
+    for_each_row([this](int y) {
+      for (int x = 0; x < ideal_.width; ++x) render_pixel(x, y);
+    });
+    const bool is_ideal = ideal_ == request_.camera;
+    images_.composite =
+        composite(is_ideal ? images_.layers : warp(images_.layers, request_.camera, ideal_),
+                  *request_.camera_image);
+    return std::move(images_);
+  }
+
+ private:
+  // Rows are shared out among all cores; each writes only its own pixels.
+  template <typename Work>
+  void for_each_row(const Work& work) {
+    std::atomic<int> next_row = 0;
+    std::vector<std::jthread> threads;
+    for (unsigned i = 0; i < std::max(1u, std::thread::hardware_concurrency()); ++i) {
+      threads.emplace_back([&] {
+        for (int y = next_row++; y < ideal_.height; y = next_row++) work(y);
+      });
+    }
+  }
+
+  void render_pixel(int x, int y) {
+    const int n = request_.samples_per_side;
+    for (int j = 0; j < n; ++j) {
+      for (int i = 0; i < n; ++i) {
+        const Vec2 position(x - 0.5 + (i + 0.5) / n, y - 0.5 + (j + 0.5) / n);
+        Decisions decisions;
+        const Sample sample = trace(position, {}, decisions);
+        add_sample(images_.layers, x, y, sample, request_.exposure, 1.0 / (n * n));
+        if (i == 0 && j == 0) keep(x, y, sample);
+        if (request_.find_grazing && grazes(position, decisions)) images_.grazing.at(x, y) = 1;
+      }
+    }
+  }
+
+  Sample trace(const Vec2& position, const Nudge& nudge, Decisions& decisions) const {
+    const Vec3 direction =
+        glm::dmat3(world_from_camera_) * pinhole_direction(ideal_, position + nudge.pixels);
+    Whitted::Inputs inputs = inputs_;
+    inputs.lift = nudge.lift;
+    const Ray primary{Vec3(world_from_camera_[3]), glm::normalize(direction)};
+    return Whitted(inputs).trace(primary, decisions);
+  }
+
+  bool grazes(const Vec2& position, const Decisions& decisions) const {
+    return std::any_of(kNudges.begin(), kNudges.end(), [&](const Nudge& nudge) {
+      Decisions nudged;
+      trace(position, nudge, nudged);
+      return nudged.signature() != decisions.signature();
+    });
+  }
+
+  void keep(int x, int y, const Sample& sample) {
+    images_.mixed.at(x, y) = sample.mixed;
+    images_.real.at(x, y) = sample.real;
+    images_.environment_reflection.at(x, y) = sample.environment_reflection;
+    images_.virtual_mask.at(x, y) = sample.met_virtual ? 1 : 0;
+    images_.specular_mask.at(x, y) = sample.specular_first ? 1 : 0;
+  }
+
+  const ReferenceRequest& request_;
+  core::CameraModel ideal_;
+  CameraView view_;
+  Whitted::Inputs inputs_;
+  glm::dmat4 world_from_camera_;
+  ReferenceImages images_;
+};
+
+}  // namespace
+
+ReferenceImages render_reference(const scene::Scene& scene, const ReferenceRequest& request) {
+  const World world(make_geometry(scene, request.anchored), scene.textures);
+  return render_reference(world, scene.environment ? &*scene.environment : nullptr, request);
+}
+
+ReferenceImages render_reference(const World& world, const scene::Environment* environment,
+                                 const ReferenceRequest& request) {
+  if (request.camera_image == nullptr ||
+      request.camera_image->size() != glm::ivec2(request.camera.width, request.camera.height)) {
+    throw std::invalid_argument("the reference needs a camera image of the camera's size");
+  }
+  return Rendering(world, environment, request).render();
+}
+
+}  // namespace amalgam::reference

@@ -1,0 +1,89 @@
+// One ray of the differential ray tracer, followed recursively (sections 4.2 to 4.4): a single
+// tree of rays carries the image with and the image without virtual objects.
+#pragma once
+
+#include <span>
+
+#include "scene/environment.h"
+#include "scene/light.h"
+#include "support/reference/camera_lookup.h"
+#include "support/reference/decisions.h"
+#include "support/reference/fresnel.h"
+#include "support/reference/media_stack.h"
+#include "support/reference/world.h"
+
+namespace amalgam::reference {
+
+struct TraceSettings {
+  int max_depth = 10;                // specular surfaces that a ray may meet
+  double importance_cutoff = 0.004;  // a branch of less weight takes the environment
+  Fresnel fresnel = Fresnel::Schlick;
+};
+
+struct Sample {
+  Color mixed{0.0};                   // I_m, scene-linear
+  Color real{0.0};                    // I_r, scene-linear
+  Color environment_reflection{0.0};  // I_e, display-linear
+  bool met_virtual = false;           // M_v
+  bool specular_first = false;        // M_r: the first surface is a mirror or glass
+};
+
+class Whitted {
+ public:
+  struct Inputs {
+    const World& world;
+    std::span<const scene::Light> lights;
+    const scene::Environment* environment = nullptr;  // null: black
+    const CameraView* camera_view = nullptr;          // null: no look-ups
+    TraceSettings settings;
+    // Metres that rays leaving a surface start above it: 0, unless it is to be found out whether
+    // such a nudge changes what they meet.
+    double lift = 0.0;
+  };
+
+  explicit Whitted(const Inputs& inputs) : in_(inputs) {}
+
+  Sample trace(const Ray& primary, Decisions& decisions) const;
+
+ private:
+  // A ray, what its light counts for in the sample, and what it is in.
+  struct Branch {
+    Ray ray;
+    Color weight{1.0};
+    int depth = 0;
+    MediaStack media{};
+  };
+  // A hit seen from the side that the ray came from.
+  struct Surface {
+    const Hit& hit;
+    const Object& object;
+    Vec3 geometric_normal;  // facing
+    Vec3 shading_normal;    // on the same side of the mesh
+    Vec3 to_viewer;
+    Color base_color;
+  };
+  struct Collector {
+    Sample& sample;
+    Decisions& decisions;
+  };
+  // The same point lit with the mixed and with the real attenuation.
+  struct Shaded {
+    Color mixed, real;
+  };
+
+  void follow(const Branch& branch, Collector& to) const;
+  void spawn(const Branch& child, Collector& to) const;
+  void add_environment(const Branch& branch, Collector& to) const;
+  void add_diffuse(const Branch& branch, const Surface& surface, Collector& to) const;
+  Shaded shade(const Surface& surface, Collector& to) const;
+  void meet_mirror(const Branch& branch, const Surface& surface, Collector& to) const;
+  void meet_thin_glass(const Branch& branch, const Surface& surface, Collector& to) const;
+  void meet_glass(const Branch& branch, const Surface& surface, Collector& to) const;
+  Branch child_of(const Branch& parent, const Surface& surface, const Vec3& direction,
+                  const Color& share) const;
+  Vec3 start(const Surface& surface, const Vec3& direction) const;
+
+  Inputs in_;
+};
+
+}  // namespace amalgam::reference
