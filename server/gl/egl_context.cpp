@@ -5,9 +5,7 @@
 
 #include <array>
 #include <map>
-#include <mutex>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 #include "core/log.h"
@@ -87,28 +85,6 @@ std::string gl_string(GLenum name) {
 
 }  // namespace
 
-// EGL knows each display once in a process; ending it ends all its contexts. So contexts share it.
-struct EglContext::Display {
-  explicit Display(EGLDisplay handle_in) : handle(handle_in) {}
-  ~Display() { eglTerminate(handle); }
-  Display(const Display&) = delete;
-  Display& operator=(const Display&) = delete;
-
-  // Null if it cannot be initialised.
-  static std::shared_ptr<Display> open(EGLDisplay handle) {
-    static std::mutex mutex;
-    static std::map<EGLDisplay, std::weak_ptr<Display>> displays;
-    const std::lock_guard lock(mutex);
-    if (auto existing = displays[handle].lock()) return existing;
-    if (eglInitialize(handle, nullptr, nullptr) == EGL_FALSE) return nullptr;
-    auto made = std::make_shared<Display>(handle);
-    displays[handle] = made;
-    return made;
-  }
-
-  EGLDisplay handle;
-};
-
 EglContext::EglContext() : owner_(std::this_thread::get_id()) {
   std::vector<std::string> failures;
   for (const Candidate& candidate : list_displays(failures)) {
@@ -119,8 +95,7 @@ EglContext::EglContext() : owner_(std::this_thread::get_id()) {
       fail("no display");
       continue;
     }
-    auto display = Display::open(candidate.display);
-    if (!display) {
+    if (eglInitialize(candidate.display, nullptr, nullptr) == EGL_FALSE) {
       fail("cannot be initialised");
       continue;
     }
@@ -128,17 +103,17 @@ EglContext::EglContext() : owner_(std::this_thread::get_id()) {
       fail("has no desktop OpenGL");
       continue;
     }
-    EGLContext context = create_context(display->handle);
+    EGLContext context = create_context(candidate.display);
     if (context == EGL_NO_CONTEXT) {
       fail("no OpenGL 4.5 core context");
       continue;
     }
-    if (eglMakeCurrent(display->handle, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_FALSE) {
+    if (eglMakeCurrent(candidate.display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_FALSE) {
       fail("context cannot be made current without a surface");
-      eglDestroyContext(display->handle, context);
+      eglDestroyContext(candidate.display, context);
       continue;
     }
-    display_ = std::move(display);
+    display_ = candidate.display;
     context_ = context;
     platform_ = candidate.platform;
     break;
@@ -154,10 +129,13 @@ EglContext::EglContext() : owner_(std::this_thread::get_id()) {
   report_gl_errors();
 }
 
+// The display stays initialised: EGL knows each one once in a process, so ending it would end every
+// other context on it, and Mesa's driver would be unloaded with some memory lost.
 EglContext::~EglContext() {
   check_thread();
-  eglMakeCurrent(display_->handle, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-  eglDestroyContext(display_->handle, context_);
+  if (eglGetCurrentContext() == context_)
+    eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  eglDestroyContext(display_, context_);
 }
 
 void EglContext::check_thread() const {

@@ -1,7 +1,6 @@
 // An OpenGL 4.5 core context without a window, and the one thread that may use it.
 #pragma once
 
-#include <memory>
 #include <string>
 #include <thread>
 
@@ -26,8 +25,7 @@ class EglContext {
   const std::string& version() const { return version_; }
 
  private:
-  struct Display;
-  std::shared_ptr<Display> display_;
+  void* display_ = nullptr;  // EGLDisplay
   void* context_ = nullptr;  // EGLContext
   std::thread::id owner_;
   std::string platform_, vendor_, renderer_, version_;
