@@ -1,0 +1,73 @@
+#include "parity/parity_case.h"
+
+#include <cmath>
+#include <glm/gtc/quaternion.hpp>
+#include <map>
+
+#include "scene/anchored_scene.h"
+#include "scene/gltf_loader.h"
+#include "support/scene_builders.h"
+
+namespace amalgam::parity {
+namespace {
+
+std::uint8_t to_byte(double value) {
+  return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
+}
+
+core::ImageRgb8 make_camera_image(int width, int height) {
+  core::ImageRgb8 image(width, height);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const double u = (x + 0.5) / width, v = (y + 0.5) / height;
+      const double stripe = 25.0 * std::sin(2.0 * reference::kPi * (6.0 * u + 2.0 * v));
+      image.at(x, y) = {to_byte(70.0 + 110.0 * u + stripe), to_byte(90.0 + 90.0 * v - stripe),
+                        to_byte(170.0 - 80.0 * u * v + stripe)};
+    }
+  }
+  return image;
+}
+
+core::MarkerPose make_pose(int marker) {
+  const glm::dmat4 camera_from_world =
+      test_support::look_at({0.03, 0.27, 0.24}, {-0.005, 0.015, -0.08});
+  const glm::dmat4 camera_from_marker =
+      camera_from_world * core::rigid_inverse(core::opencv_marker_from_gltf());
+  return {marker, glm::quat_cast(camera_from_marker), glm::dvec3(camera_from_marker[3])};
+}
+
+}  // namespace
+
+ParityCase make_parity_case(const std::string& scene_name, int width, int height) {
+  ParityCase result;
+  result.name = scene_name + " " + std::to_string(width) + "x" + std::to_string(height);
+  result.scene =
+      scene::load_scene(std::string(AMALGAM_SOURCE_DIR) + "/deploy/scenes/" + scene_name + ".gltf");
+  result.camera = test_support::make_pinhole(width, height, 1.1 * width);
+  result.camera_image = make_camera_image(width, height);
+  result.poses = {make_pose(result.scene.world.marker)};
+  return result;
+}
+
+const reference::ReferenceImages& reference_images(const ParityCase& parity_case) {
+  static std::map<std::string, reference::ReferenceImages> rendered;
+  const auto found = rendered.find(parity_case.name);
+  if (found != rendered.end()) return found->second;
+
+  reference::ReferenceRequest request;
+  request.camera = parity_case.camera;
+  request.anchored = scene::anchor_scene(parity_case.scene, parity_case.poses);
+  if (parity_case.scene.environment) {
+    request.lights = scene::extract_lights(*parity_case.scene.environment, {});
+  }
+  request.lights.insert(request.lights.end(), request.anchored.punctual_lights.begin(),
+                        request.anchored.punctual_lights.end());
+  request.camera_image = &parity_case.camera_image;
+  request.exposure = static_cast<double>(parity_case.exposure);
+  request.settings.importance_cutoff = static_cast<double>(0.004f);
+  request.find_grazing = true;
+  return rendered.emplace(parity_case.name, reference::render_reference(parity_case.scene, request))
+      .first->second;
+}
+
+}  // namespace amalgam::parity

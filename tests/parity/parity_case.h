@@ -1,0 +1,33 @@
+// What both renderers are given to draw: a scene that comes with Amalgam, a made-up camera image
+// and a made-up pose.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/camera_model.h"
+#include "core/image.h"
+#include "core/pose.h"
+#include "scene/env_lights.h"
+#include "scene/scene.h"
+#include "support/reference/reference_renderer.h"
+
+namespace amalgam::parity {
+
+struct ParityCase {
+  std::string name;  // "complex 160x120"
+  scene::Scene scene;
+  core::CameraModel camera;
+  core::ImageRgb8 camera_image;
+  std::vector<core::MarkerPose> poses;
+  float exposure = 1.0f;
+};
+
+// A scene of deploy/scenes. The image is gradients and soft stripes by formula; the world marker
+// is seen from above at a slant, as by somebody at a desk.
+ParityCase make_parity_case(const std::string& scene_name, int width, int height);
+
+// Rendered once for each name and kept: both modes of the renderer are compared with it.
+const reference::ReferenceImages& reference_images(const ParityCase& parity_case);
+
+}  // namespace amalgam::parity

@@ -1,0 +1,183 @@
+#include "parity/parity_row.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <limits>
+#include <sstream>
+
+#include "support/compare_images.h"
+
+namespace amalgam::parity {
+namespace {
+
+using reference::Color;
+using reference::ReferenceImages;
+
+struct Rendered {
+  frame::FrameBuffers buffers;
+  core::ImageRgb8 composite;
+};
+
+Rendered render(const ParityCase& parity_case, frame::RendererMode mode) {
+  frame::RendererSettings settings;
+  settings.mode = mode;
+  settings.exposure = parity_case.exposure;
+  frame::FrameRenderer renderer(parity_case.scene, settings);
+  frame::ViewOptions options;
+  options.camera = parity_case.camera;
+  options.keep_pixels = true;
+  frame::ViewState view(options);
+  Rendered result;
+  result.composite =
+      renderer.render(view, {parity_case.camera_image, parity_case.poses}, &result.buffers).pixels;
+  return result;
+}
+
+// One pixel of a buffer that may hold one, three or four channels; a missing buffer is black.
+Color pixel_of(const frame::FrameBuffers& buffers, const std::string& name, int x, int y) {
+  const auto found = buffers.find(name);
+  if (found == buffers.end()) return Color(0.0);
+  return std::visit(
+      [&](const auto& image) {
+        using Pixel = std::decay_t<decltype(image.at(x, y))>;
+        return Color(Pixel(image.at(x, y)));
+      },
+      found->second);
+}
+
+double relative_error(const Color& actual, const Color& expected) {
+  double worst = 0.0;
+  for (glm::length_t c = 0; c < 3; ++c) {
+    const double error =
+        std::abs(actual[c] - expected[c]) / std::max(kDarkest, std::abs(expected[c]));
+    // A comparison with NaN is false, so that the negation lets it count.
+    if (!(error <= worst)) worst = std::isnan(error) ? reference::kInfinity : error;
+  }
+  return worst;
+}
+
+double traced_error(const frame::FrameBuffers& buffers, const ReferenceImages& expected, int x,
+                    int y) {
+  const bool met_virtual = expected.virtual_mask.at(x, y) != 0;
+  if ((pixel_of(buffers, "virtual_mask", x, y).r > 0.5) != met_virtual) {
+    return reference::kInfinity;
+  }
+  double error = relative_error(pixel_of(buffers, "mixed", x, y), expected.mixed.at(x, y));
+  error = std::max(error, relative_error(pixel_of(buffers, "environment_reflection", x, y),
+                                         expected.environment_reflection.at(x, y)));
+  if (met_virtual) return error;
+  return std::max(error, relative_error(pixel_of(buffers, "real", x, y), expected.real.at(x, y)));
+}
+
+struct WrongPixel {
+  int x, y;
+  double error;
+};
+
+std::string describe(const std::vector<WrongPixel>& pixels, const frame::FrameBuffers& buffers,
+                     const ReferenceImages& expected) {
+  std::ostringstream text;
+  text << std::setprecision(6);
+  const auto put = [&](const char* name, const Color& actual, const Color& wanted) {
+    text << "\n    " << name << " (" << actual.r << ' ' << actual.g << ' ' << actual.b
+         << ") reference (" << wanted.r << ' ' << wanted.g << ' ' << wanted.b << ')';
+  };
+  for (const auto& [x, y, error] : pixels) {
+    text << "\n  (" << x << ", " << y << ") error " << error << ", M_v "
+         << pixel_of(buffers, "virtual_mask", x, y).r << " reference "
+         << int{expected.virtual_mask.at(x, y)};
+    put("mixed", pixel_of(buffers, "mixed", x, y), expected.mixed.at(x, y));
+    put("real", pixel_of(buffers, "real", x, y), expected.real.at(x, y));
+  }
+  return text.str();
+}
+
+// Pixels that see a surface. In hybrid mode those whose first surface is specular.
+bool is_traced(const ReferenceImages& expected, frame::RendererMode mode, int x, int y) {
+  return mode == frame::RendererMode::Raytrace || expected.specular_mask.at(x, y) != 0;
+}
+
+void compare_traced(const frame::FrameBuffers& buffers, const ReferenceImages& expected,
+                    frame::RendererMode mode, ParityRow& row) {
+  std::vector<WrongPixel> wrong;
+  double sum = 0.0;
+  for (int y = 0; y < expected.mixed.height(); ++y) {
+    for (int x = 0; x < expected.mixed.width(); ++x) {
+      if (!is_traced(expected, mode, x, y)) continue;
+      ++row.traced;
+      const double error = traced_error(buffers, expected, x, y);
+      if (expected.grazing.at(x, y) != 0) {
+        ++row.grazing;
+        row.traced_wrong_grazing += error > kTracedTolerance ? 1 : 0;
+        continue;
+      }
+      sum += error;
+      row.traced_maximum = std::max(row.traced_maximum, error);
+      if (error > kTracedTolerance) wrong.push_back({x, y, error});
+    }
+  }
+  row.traced_wrong = wrong.size();
+  row.traced_mean = sum / static_cast<double>(std::max<std::size_t>(1, row.traced - row.grazing));
+  std::sort(wrong.begin(), wrong.end(),
+            [](const WrongPixel& a, const WrongPixel& b) { return a.error > b.error; });
+  wrong.resize(std::min<std::size_t>(wrong.size(), 10));
+  row.worst = describe(wrong, buffers, expected);
+}
+
+void compare_composites(const core::ImageRgb8& actual, const ReferenceImages& expected,
+                        frame::RendererMode mode, ParityRow& row) {
+  const auto comparison = test_support::compare_images(test_support::as_floats(actual),
+                                                       test_support::as_floats(expected.composite));
+  row.composite_mean = comparison.mean;
+  row.composite_maximum = comparison.maximum;
+  for (int y = 0; y < actual.height(); ++y) {
+    for (int x = 0; x < actual.width(); ++x) {
+      const glm::ivec3 difference =
+          glm::abs(glm::ivec3(actual.at(x, y)) - glm::ivec3(expected.composite.at(x, y)));
+      if (std::max({difference.r, difference.g, difference.b}) <= 3) continue;
+      ++row.composite_wrong;
+      row.composite_wrong_rasterised += is_traced(expected, mode, x, y) ? 0 : 1;
+    }
+  }
+}
+
+const char* mode_name(frame::RendererMode mode) {
+  return mode == frame::RendererMode::Hybrid ? "hybrid" : "raytrace";
+}
+
+}  // namespace
+
+ParityRow compare_with_reference(const ParityCase& parity_case, frame::RendererMode mode) {
+  const ReferenceImages& expected = reference_images(parity_case);
+  const Rendered actual = render(parity_case, mode);
+  ParityRow row;
+  row.pixels = parity_case.camera_image.pixels().size();
+  compare_traced(actual.buffers, expected, mode, row);
+  compare_composites(actual.composite, expected, mode, row);
+  return row;
+}
+
+std::string table_header() {
+  return "case              renderer  traced  grazing %  mean error  max error  wrong  "
+         "wrong+grazing | composite mean  max  within 3 %  off, rasterised\n";
+}
+
+std::string table_line(const ParityCase& parity_case, frame::RendererMode mode,
+                       const ParityRow& row) {
+  const double percent = 100.0 / static_cast<double>(row.pixels);
+  std::ostringstream line;
+  line << std::left << std::setw(18) << parity_case.name << std::setw(8) << mode_name(mode)
+       << std::right << std::fixed << std::setw(8) << row.traced << std::setprecision(3)
+       << std::setw(11) << percent * static_cast<double>(row.grazing) << std::scientific
+       << std::setprecision(2) << std::setw(12) << row.traced_mean << std::setw(11)
+       << row.traced_maximum << std::setw(7) << row.traced_wrong << std::setw(15)
+       << row.traced_wrong_grazing << " | " << std::fixed << std::setprecision(4) << std::setw(14)
+       << row.composite_mean << std::setprecision(0) << std::setw(5) << row.composite_maximum
+       << std::setprecision(3) << std::setw(12)
+       << 100.0 - percent * static_cast<double>(row.composite_wrong) << std::setw(17)
+       << row.composite_wrong_rasterised << '\n';
+  return line.str();
+}
+
+}  // namespace amalgam::parity

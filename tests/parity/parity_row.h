@@ -1,0 +1,42 @@
+// One line of the parity table: how far the renderer is from the reference in one case.
+#pragma once
+
+#include <string>
+
+#include "frame/frame_renderer.h"
+#include "parity/parity_case.h"
+
+namespace amalgam::parity {
+
+// A traced pixel agrees if every channel of I_m, I_e and, where M_v is 0, I_r (which eq. 4.5 uses
+// only there) is within this of the reference's, relative to it or to kDarkest if that is more.
+constexpr double kTracedTolerance = 2e-3;
+constexpr double kDarkest =
+    0.01;  // scene-linear; at exposure 1 that is 1 % of display-linear white
+
+struct ParityRow {
+  std::size_t pixels = 0;
+  // Pixels that the tracer is responsible for, by the reference.
+  std::size_t traced = 0;
+  std::size_t grazing = 0;               // of those: some ray grazes an edge
+  double traced_mean = 0.0;              // relative error, without grazing pixels
+  double traced_maximum = 0.0;           // likewise
+  std::size_t traced_wrong = 0;          // over tolerance, without grazing pixels
+  std::size_t traced_wrong_grazing = 0;  // over tolerance, grazing pixels
+  // The composite, in 1/255.
+  double composite_mean = 0.0;
+  double composite_maximum = 0.0;
+  std::size_t composite_wrong = 0;             // pixels off by more than 3
+  std::size_t composite_wrong_rasterised = 0;  // of those: rasterised
+
+  std::string worst;  // the worst pixels in words, for a failing test
+};
+
+// mode: Hybrid (traced pixels are those of M_r) or Raytrace (all are).
+ParityRow compare_with_reference(const ParityCase& parity_case, frame::RendererMode mode);
+
+std::string table_header();
+std::string table_line(const ParityCase& parity_case, frame::RendererMode mode,
+                       const ParityRow& row);
+
+}  // namespace amalgam::parity
