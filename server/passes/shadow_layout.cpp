@@ -137,7 +137,8 @@ gl::GpuLight describe(const scene::Light& light, std::size_t first_layer) {
 
 int size_for(std::size_t layers) {
   if (layers <= 8) return 2048;
-  return layers <= 32 ? 1024 : 512;
+  if (layers <= 32) return 1024;
+  return layers <= 128 ? 512 : 256;
 }
 
 bool is_equal(const scene::Light& a, const scene::Light& b) {

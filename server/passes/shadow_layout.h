@@ -28,7 +28,8 @@ struct ShadowLayout {
 };
 
 // Throws std::runtime_error if there are more than gl::kMaxLights lights.
-// size: texels a side; 0: by the number of layers (2048 to 8 layers, 1024 to 32, then 512).
+// size: texels a side; 0: by the number of layers (2048 to 8, 1024 to 32, 512 to 128, then
+// 256: 128 MiB a class of casters, or less).
 ShadowLayout make_shadow_layout(const RenderView& view, const gl::GpuScene& scene, int size);
 
 // The layout was made from the same lights and instances, and with the same size option.

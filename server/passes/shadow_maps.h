@@ -51,7 +51,7 @@ struct ShadowCache {
 };
 
 struct ShadowOptions {
-  int size = 0;  // texels a side; 0: by the number of layers (2048 to 8, 1024 to 32, then 512)
+  int size = 0;  // texels a side; 0: by the number of layers, see make_shadow_layout()
 };
 
 struct ShadowMapInputs {

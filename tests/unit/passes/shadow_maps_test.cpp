@@ -183,6 +183,7 @@ TEST(ShadowMaps, AreSmallerForMoreLights) {
   EXPECT_EQ(size_with(9), 1024);
   EXPECT_EQ(size_with(32), 1024);
   EXPECT_EQ(size_with(128), 512);
+  EXPECT_EQ(size_with(129), 256);
   EXPECT_THROW(size_with(gl::kMaxLights + 1), std::runtime_error);
 }
 
