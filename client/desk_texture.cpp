@@ -12,7 +12,7 @@ core::Image<PackedColour> half_size(const core::Image<PackedColour>& image) {
   core::Image<PackedColour> half(image.width() / 2, image.height() / 2);
   for (int y = 0; y < half.height(); ++y) {
     for (int x = 0; x < half.width(); ++x) {
-      PackedMean mean;
+      PackedMean<4> mean;
       mean.add(image.at(2 * x, 2 * y));
       mean.add(image.at(2 * x + 1, 2 * y));
       mean.add(image.at(2 * x, 2 * y + 1));

@@ -25,23 +25,24 @@ inline constexpr PackedColour mix_packed(PackedColour a, PackedColour b, std::ui
   return (red_blue & kRedAndBlue) | (green & kGreen);
 }
 
-// The rounded mean of several colours, at most 256 of them.
+// The rounded mean of a number of colours that is known beforehand, at most 256 of them.
+template <std::uint32_t Count>
 class PackedMean {
  public:
   void add(PackedColour colour) {
     red_blue_ += colour & kRedAndBlue;
     green_ += (colour & kGreen) >> 8;
-    ++count_;
   }
   core::Rgb8 mean() const {
-    const auto rounded = [this](std::uint32_t sum) {
-      return static_cast<std::uint8_t>((sum + count_ / 2) / count_);
-    };
     return {rounded(red_blue_ & 0xFFFF), rounded(green_), rounded(red_blue_ >> 16)};
   }
 
  private:
-  std::uint32_t red_blue_ = 0, green_ = 0, count_ = 0;
+  static std::uint8_t rounded(std::uint32_t sum) {
+    return static_cast<std::uint8_t>((sum + Count / 2) / Count);
+  }
+
+  std::uint32_t red_blue_ = 0, green_ = 0;
 };
 
 }  // namespace amalgam::client

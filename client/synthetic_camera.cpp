@@ -35,7 +35,15 @@ SyntheticCamera::SyntheticCamera(const core::CameraModel& camera,
   if (const std::string defect = core::describe_defect(camera); !defect.empty()) {
     throw std::runtime_error("the synthetic camera cannot be made: " + defect);
   }
-  if (!camera.has_distortion()) return;
+  if (!camera.has_distortion()) {
+    for (int x = 0; x < camera.width * kSamplesPerSide; ++x) {
+      column_x_.push_back((sample_position(x) - camera.cx) / camera.fx);
+    }
+    for (int y = 0; y < camera.height * kSamplesPerSide; ++y) {
+      row_y_.push_back((sample_position(y) - camera.cy) / camera.fy);
+    }
+    return;
+  }
   // Inverting the lens costs more than all else of a sample, and is the same in every frame.
   const int width = camera.width * kSamplesPerSide, height = camera.height * kSamplesPerSide;
   distorted_rays_.reserve(core::checked_pixel_count(width, height));
@@ -60,8 +68,8 @@ glm::dvec2 SyntheticCamera::ray(int sample_x, int sample_y) const {
                      static_cast<std::size_t>(camera_.width * kSamplesPerSide);
     return distorted_rays_[row + static_cast<std::size_t>(sample_x)];
   }
-  return {(sample_position(sample_x) - camera_.cx) / camera_.fx,
-          (sample_position(sample_y) - camera_.cy) / camera_.fy};
+  return {column_x_[static_cast<std::size_t>(sample_x)],
+          row_y_[static_cast<std::size_t>(sample_y)]};
 }
 
 core::ImageRgb8 SyntheticCamera::render(const core::MarkerPose& pose) const {
@@ -84,7 +92,7 @@ core::ImageRgb8 SyntheticCamera::render(const core::MarkerPose& pose) const {
     for (int x = 0; x < image.width(); ++x) {
       // The mean of encoded values, not of light: a mean of light would shift every black-white
       // edge into the black, and the marker would be measured too small.
-      PackedMean mean;
+      PackedMean<kSamplesPerSide * kSamplesPerSide> mean;
       for (int j = 0; j < kSamplesPerSide; ++j) {
         for (int i = 0; i < kSamplesPerSide; ++i) {
           mean.add(see(x * kSamplesPerSide + i, y * kSamplesPerSide + j));

@@ -40,7 +40,10 @@ class SyntheticCamera {
 
   core::CameraModel camera_;
   std::shared_ptr<const SyntheticDesk> desk_;
-  std::vector<glm::dvec2> distorted_rays_;  // a sample each, row by row; empty without distortion
+  // Directions (x, y with z = 1) of the samples: one each, row by row, or without distortion one
+  // for each column and each row.
+  std::vector<glm::dvec2> distorted_rays_;
+  std::vector<double> column_x_, row_y_;
 };
 
 }  // namespace amalgam::client
