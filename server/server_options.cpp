@@ -2,25 +2,14 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
-#include <filesystem>
 #include <iostream>
 #include <stdexcept>
 
 #include "net/token.h"
+#include "tools/renderer_options.h"
 
 namespace amalgam {
 namespace {
-
-namespace fs = std::filesystem;
-
-// Beside the program in a build, or where it was installed.
-std::string default_scene() {
-  std::error_code ec;
-  const fs::path folder = fs::read_symlink("/proc/self/exe", ec).parent_path();
-  const fs::path built = folder / "../../deploy/scenes/complex.gltf";
-  const fs::path installed = folder / "../share/amalgam/scenes/complex.gltf";
-  return (fs::exists(installed, ec) ? installed : built).lexically_normal().string();
-}
 
 // A time-out in seconds, above 0 and up to an hour.
 void add_seconds(CLI::App& app, const std::string& name, std::chrono::milliseconds& value,
@@ -64,7 +53,7 @@ void add_net_options(CLI::App& app, net::ServerConfig& net) {
 
 std::optional<ServerOptions> parse_server_options(int argc, const char* const* argv) {
   ServerOptions options;
-  options.scene = default_scene();
+  options.scene = tools::default_scene_path();
   std::string listen = to_string(options.net.listen);
   std::string admin = to_string(options.net.admin);
   std::string token_file;
@@ -83,10 +72,12 @@ std::optional<ServerOptions> parse_server_options(int argc, const char* const* a
   app.add_option("--token-file", token_file,
                  "file with the secret that clients must send; without it they need none")
       ->type_name("FILE");
-  app.add_option("--threads", options.render.renderer.threads, "to trace with; 0: one a core")
+  tools::add_renderer_options(app, options.render.renderer);
+  app.add_option("--quality", options.render.renderer.jpeg_quality,
+                 "JPEG quality of composites for clients that leave it to the server, 1 to 100")
       ->capture_default_str()
-      ->type_name("N")
-      ->check(CLI::Range(0, 1024));
+      ->type_name("Q")
+      ->check(CLI::Range(1, 100));
   app.add_option("--log-level", options.log_level, "how much is logged to standard error")
       ->capture_default_str()
       ->check(CLI::IsMember({"trace", "debug", "info", "warn", "error", "off"}));

@@ -6,6 +6,7 @@
 
 #include "codec/jpeg.h"
 #include "core/log.h"
+#include "frame/default_view.h"
 #include "frame/frame_renderer.h"
 #include "frame/view_state.h"
 #include "scene/gltf_loader.h"
@@ -24,6 +25,15 @@ FrameService::MarkerSet marker_set(const scene::Scene& scene) {
   }
   markers.ids.insert(markers.ids.end(), bound.begin(), bound.end());
   return markers;
+}
+
+// Renders a small frame for nobody: shaders are compiled for good and shadow maps drawn, which a
+// first client would wait seconds for otherwise.
+void warm_up(FrameRenderer& renderer) {
+  ViewState view({.camera = default_camera(160, 120)});
+  const core::ImageRgb8 grey(view.options.camera.width, view.options.camera.height,
+                             core::Rgb8(128));
+  renderer.render(view, {grey, {default_pose(renderer.scene().world.marker)}});
 }
 
 }  // namespace
@@ -94,6 +104,7 @@ void RenderThread::run(std::stop_token stop, const std::string& scene_path,
   std::optional<FrameRenderer> renderer;
   try {
     renderer.emplace(scene::load_scene(scene_path), options.renderer);
+    warm_up(*renderer);
     started.set_value(marker_set(renderer->scene()));
   } catch (...) {
     started.set_exception(std::current_exception());

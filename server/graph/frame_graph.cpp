@@ -27,12 +27,12 @@ int FrameGraph::add_resource(std::string name, std::type_index type, int produce
   return index;
 }
 
-void FrameGraph::add_read(int pass, int resource, bool required) {
-  if (resource < 0) {  // needs() of an unset handle
+void FrameGraph::add_read(int pass, int resource, Need need) {
+  if (resource < 0) {  // an unset handle that is not optional
     resource = add_resource("unconnected", typeid(void), kNoPass);
     make_absent(resource, kUnsetReason);
   }
-  passes_[static_cast<std::size_t>(pass)].reads.push_back({resource, required});
+  passes_[static_cast<std::size_t>(pass)].reads.push_back({resource, need});
 }
 
 void FrameGraph::store(int resource, std::shared_ptr<void> value) {
@@ -64,14 +64,25 @@ bool FrameGraph::make_available(int resource) {
 
 void FrameGraph::run(Pass& pass, int index) {
   pass.visited = true;
+  const Read* first_alternative = nullptr;
+  bool any_alternative = false;
   for (const Read& read : pass.reads) {
-    if (read.required && !make_available(read.resource)) {
+    if (read.need == Need::Required && !make_available(read.resource)) {
       leave_out(pass, resources_[static_cast<std::size_t>(read.resource)].reason);
       return;
     }
   }
   for (const Read& read : pass.reads) {
-    if (!read.required) make_available(read.resource);
+    if (read.need != Need::Alternative) continue;
+    if (first_alternative == nullptr) first_alternative = &read;
+    any_alternative = make_available(read.resource) || any_alternative;
+  }
+  if (first_alternative != nullptr && !any_alternative) {
+    leave_out(pass, resources_[static_cast<std::size_t>(first_alternative->resource)].reason);
+    return;
+  }
+  for (const Read& read : pass.reads) {
+    if (read.need == Need::Optional) make_available(read.resource);
   }
   const core::Stopwatch stopwatch;
   pass.execute(Access(*this, index));
@@ -120,8 +131,8 @@ std::string FrameGraph::to_graphviz() const {
     dot << "  p" << p << " [shape=box,label=\"" << pass.report.name << "\""
         << (pass.report.ran ? "" : ",style=dashed") << "];\n";
     for (const Read& read : pass.reads) {
-      dot << "  r" << read.resource << " -> p" << p << (read.required ? "" : " [style=dotted]")
-          << ";\n";
+      dot << "  r" << read.resource << " -> p" << p
+          << (read.need == Need::Required ? "" : " [style=dotted]") << ";\n";
     }
     for (const int written : pass.writes) dot << "  p" << p << " -> r" << written << ";\n";
   }

@@ -56,6 +56,10 @@ class Builder {
   // Made available first if it can be; the pass runs all the same without it.
   template <typename T>
   void uses(Handle<T> handle);
+  // At least one of all handles given to this must be there; the first one's reason counts
+  // otherwise.
+  template <typename T>
+  void needs_any(Handle<T> handle);
   template <typename T>
   [[nodiscard]] Handle<T> writes(std::string resource);
   // The work itself, done at most once. It may capture the handles.
@@ -73,7 +77,7 @@ class Access {
  public:
   template <typename T>
   const T& get(Handle<T> handle) const;
-  // For handles given to uses(): null if absent or unset.
+  // For handles given to uses() or needs_any(): null if absent or unset.
   template <typename T>
   const T* find(Handle<T> handle) const;
   template <typename T>
@@ -155,9 +159,10 @@ class FrameGraph {
     std::shared_ptr<void> value{};
     std::string reason{};
   };
+  enum class Need : std::uint8_t { Required, Alternative, Optional };
   struct Read {
     int resource = -1;
-    bool required = false;
+    Need need = Need::Optional;
   };
   struct Pass {
     PassReport report{};
@@ -168,7 +173,7 @@ class FrameGraph {
   };
 
   int add_resource(std::string name, std::type_index type, int producer);
-  void add_read(int pass, int resource, bool required);
+  void add_read(int pass, int resource, Need need);
   void store(int resource, std::shared_ptr<void> value);
   void make_absent(int resource, std::string reason);
   bool make_available(int resource);
@@ -191,12 +196,17 @@ class FrameGraph {
 
 template <typename T>
 void Builder::needs(Handle<T> handle) {
-  graph_.add_read(pass_, handle.index_, true);
+  graph_.add_read(pass_, handle.index_, FrameGraph::Need::Required);
 }
 
 template <typename T>
 void Builder::uses(Handle<T> handle) {
-  if (handle.is_set()) graph_.add_read(pass_, handle.index_, false);
+  if (handle.is_set()) graph_.add_read(pass_, handle.index_, FrameGraph::Need::Optional);
+}
+
+template <typename T>
+void Builder::needs_any(Handle<T> handle) {
+  graph_.add_read(pass_, handle.index_, FrameGraph::Need::Alternative);
 }
 
 template <typename T>

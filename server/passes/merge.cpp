@@ -26,8 +26,8 @@ bool is_zero(const Layers& layers) {
 
 graph::Handle<Layers> add_merge_pass(graph::FrameGraph& graph, const MergeInputs& in) {
   graph::Builder builder = graph.add_pass("merge");
-  builder.uses(in.rasterised);
-  builder.uses(in.traced);
+  builder.needs_any(in.rasterised);
+  builder.needs_any(in.traced);
   const auto out = builder.writes<Layers>("layers");
   builder.runs([in, out](const graph::Access& access) {
     const Layers* rasterised = access.find(in.rasterised);

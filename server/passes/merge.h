@@ -8,8 +8,9 @@
 namespace amalgam::passes {
 
 struct MergeInputs {
-  graph::Handle<Layers> rasterised;          // may be absent
-  graph::Handle<trace::TraceResult> traced;  // may be absent
+  // Either may be absent, but not both.
+  graph::Handle<Layers> rasterised;
+  graph::Handle<trace::TraceResult> traced;
 };
 
 // Absent if all layers are zero everywhere: "nothing virtual has an effect on this frame".

@@ -1,7 +1,6 @@
 #include "tools/render_input.h"
 
 #include <fstream>
-#include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -10,6 +9,7 @@
 #include "client/calibration.h"
 #include "client/marker_tracker.h"
 #include "codec/jpeg.h"
+#include "frame/default_view.h"
 
 namespace amalgam::tools {
 namespace {
@@ -45,18 +45,6 @@ void load_image(const std::filesystem::path& path, frame::FrameInput& frame, cv:
   cv::Mat rgb(bgr.rows, bgr.cols, CV_8UC3, pixels.data());
   cv::cvtColor(bgr, rgb, cv::COLOR_BGR2RGB);
   frame.image = std::move(pixels);
-}
-
-// A camera half a metre from the world marker that looks down at what stands on it.
-core::MarkerPose default_pose(int world_marker) {
-  const glm::dvec3 eye(0.0, 0.33, 0.42), target(-0.04, 0.03, -0.06);  // glTF axes on the marker
-  const glm::dvec3 forward = glm::normalize(target - eye);
-  const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0, 1, 0)));
-  const glm::dvec3 down = glm::cross(forward, right);
-  const glm::dmat3 camera_from_gltf = glm::transpose(glm::dmat3(right, down, forward));
-  const glm::dmat4 gltf_from_marker = core::rigid_inverse(core::opencv_marker_from_gltf());
-  return {world_marker, glm::quat_cast(camera_from_gltf * glm::dmat3(gltf_from_marker)),
-          -(camera_from_gltf * eye)};
 }
 
 std::vector<core::MarkerPose> detect(const cv::Mat& bgr, const core::CameraModel& camera,
@@ -108,14 +96,14 @@ RenderInput load_render_input(const RenderInputOptions& options, const scene::Sc
   input.camera =
       options.calibration
           ? client::fit_to_image(client::load_calibration(*options.calibration), width, height)
-          : client::default_camera(width, height);
+          : frame::default_camera(width, height);
   if (options.poses) {
     input.frame.poses = load_poses(*options.poses);
   } else if (options.camera_image) {
     input.frame.poses = detect(bgr, input.camera, scene);
     input.detected = true;
   } else {
-    input.frame.poses = {default_pose(scene.world.marker)};
+    input.frame.poses = {frame::default_pose(scene.world.marker)};
   }
   return input;
 }

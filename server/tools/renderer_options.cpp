@@ -50,10 +50,11 @@ void add_renderer_options(CLI::App& app, frame::RendererSettings& settings) {
 
 std::string default_scene_path() {
   namespace fs = std::filesystem;
-  const fs::path program = fs::read_symlink("/proc/self/exe").parent_path();
+  std::error_code ignored;  // without /proc the path is wrong, and loading says so
+  const fs::path program = fs::read_symlink("/proc/self/exe", ignored).parent_path();
   const fs::path beside = program / "../../deploy/scenes/complex.gltf";
   const fs::path installed = program / "../share/amalgam/scenes/complex.gltf";
-  return (fs::exists(beside) ? beside : installed).lexically_normal().string();
+  return (fs::exists(installed, ignored) ? installed : beside).lexically_normal().string();
 }
 
 }  // namespace amalgam::tools

@@ -87,6 +87,26 @@ TEST(FrameGraph, DearInputsAfterAnAbsentOneAreNotMade) {
   EXPECT_EQ(reports[2].reason, "nothing virtual shows");
 }
 
+TEST(FrameGraph, OneAlternativeIsEnoughAndNoneIsNot) {
+  FrameGraph graph;
+  const auto no_raster = graph.absent<int>("raster", "nothing to draw");
+  const auto no_trace = graph.absent<int>("trace", "nothing to trace");
+  const auto some = graph.import("some", 3);
+  const auto merge = [&](Handle<int> a, Handle<int> b) {
+    Builder builder = graph.add_pass("merge");
+    builder.needs_any(a);
+    builder.needs_any(b);
+    const auto out = builder.writes<int>("merged");
+    builder.runs(
+        [=](const Access& access) { access.set(out, access.find(b) ? *access.find(b) : 0); });
+    return out;
+  };
+  const auto merged = merge(no_raster, some), none = merge(no_raster, no_trace);
+  EXPECT_NE(graph.realise(merged), nullptr);
+  EXPECT_EQ(graph.realise(none), nullptr);
+  EXPECT_EQ(graph.reason_absent(none), "nothing to draw");
+}
+
 TEST(FrameGraph, UnconnectedInputLeavesThePassOut) {
   FrameGraph graph;
   int runs = 0;

@@ -1,0 +1,209 @@
+#include "frame/frame_renderer.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "codec/jpeg.h"
+#include "frame/default_view.h"
+#include "support/scene_builders.h"
+
+namespace amalgam::frame {
+namespace {
+
+using test_support::add_object;
+
+constexpr int kMarker = 40, kWidth = 96, kHeight = 72;
+
+// A real table under the marker and, if wanted, things that stand on it.
+scene::Scene table() {
+  scene::Scene scene;
+  scene.world.marker = kMarker;
+  scene.environment = scene::Environment{core::ImageRgb32f(16, 8, glm::vec3(1.0f)), false};
+  add_object(scene, test_support::make_floor(0.0f, 0.5f),
+             test_support::make_diffuse(glm::vec3(0.6f)), scene::Role::Real);
+  return scene;
+}
+void add_box(scene::Scene& scene, scene::Material material,
+             scene::Role role = scene::Role::Virtual) {
+  add_object(scene, test_support::make_box({-0.04f, 0.001f, -0.04f}, {0.04f, 0.08f, 0.04f}),
+             std::move(material), role);
+}
+
+core::ImageRgb8 stripes() {
+  core::ImageRgb8 image(kWidth, kHeight);
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x)
+      image.at(x, y) = core::Rgb8(120 + x, 200 - y, (x / 8 + y / 8) % 2 * 60 + 90);
+  }
+  return image;
+}
+
+FrameOutput render(scene::Scene scene, const FrameInput& input, ViewOptions options = {},
+                   const RendererSettings& settings = {}) {
+  if (options.camera.width == 0) options.camera = default_camera(kWidth, kHeight);
+  FrameRenderer renderer(std::move(scene), settings);
+  ViewState view(options);
+  return renderer.render(view, input);
+}
+
+FrameInput jpeg_input(std::vector<core::MarkerPose> poses) {
+  return {codec::encode_jpeg(stripes(), 90), std::move(poses)};
+}
+
+const PassRecord& pass(const FrameOutput& output, const std::string& name) {
+  const auto& passes = output.statistics.passes;
+  const auto found = std::find_if(passes.begin(), passes.end(),
+                                  [&](const PassRecord& record) { return record.name == name; });
+  if (found == passes.end()) throw std::runtime_error("no pass " + name);
+  return *found;
+}
+
+// The invariant of the whole system: without anything virtual, or without a pose, the bytes that
+// came are the bytes that go.
+TEST(FrameRenderer, WithoutPosesTheBytesComeBack) {
+  scene::Scene scene = table();
+  add_box(scene, test_support::make_mirror());
+  const FrameInput input = jpeg_input({});
+  const FrameOutput output = render(scene, input);
+  EXPECT_TRUE(output.unchanged);
+  EXPECT_EQ(output.jpeg, std::get<Bytes>(input.image));
+  for (const PassRecord& record : output.statistics.passes) EXPECT_FALSE(record.ran) << record.name;
+}
+
+TEST(FrameRenderer, WithoutVirtualObjectsTheBytesComeBack) {
+  scene::Scene scene = table();
+  add_box(scene, test_support::make_mirror(), scene::Role::Real);
+  add_box(scene, test_support::make_glass(), scene::Role::Real);
+  for (const auto mode : {RendererMode::Hybrid, RendererMode::Raytrace}) {
+    RendererSettings settings;
+    settings.mode = mode;
+    const FrameInput input = jpeg_input({default_pose(kMarker)});
+    const FrameOutput output = render(scene, input, {}, settings);
+    EXPECT_EQ(output.jpeg, std::get<Bytes>(input.image));
+    EXPECT_EQ(pass(output, "decode").reason, "no virtual object in the scene");
+  }
+}
+
+// A virtual object that is out of sight and whose shadow is too.
+TEST(FrameRenderer, OutOfSightIsOutOfTheFrame) {
+  scene::Scene scene = table();
+  add_object(scene, test_support::make_box({-0.1f, 0.0f, 5.0f}, {0.1f, 0.1f, 5.2f}),
+             test_support::make_diffuse(glm::vec3(0.5f)), scene::Role::Virtual);
+  const FrameInput input = jpeg_input({default_pose(kMarker)});
+  const FrameOutput output = render(scene, input);
+  EXPECT_EQ(output.jpeg, std::get<Bytes>(input.image));
+  EXPECT_FALSE(pass(output, "decode").ran);
+  EXPECT_FALSE(pass(output, "composite").ran);
+  EXPECT_EQ(pass(output, "encode").reason, "nothing virtual has an effect on this frame");
+}
+
+TEST(FrameRenderer, AnotherQualityIsEncodedEvenIfNothingChanged) {
+  ViewOptions options;
+  options.camera = default_camera(kWidth, kHeight);
+  options.jpeg_quality = 40;
+  const FrameInput input = jpeg_input({});
+  const FrameOutput output = render(table(), input, options);
+  EXPECT_FALSE(output.unchanged);
+  EXPECT_LT(output.jpeg.size(), std::get<Bytes>(input.image).size());
+}
+
+TEST(FrameRenderer, DiffuseScenesTraceNothing) {
+  scene::Scene scene = table();
+  add_box(scene, test_support::make_diffuse(glm::vec3(0.2f, 0.5f, 0.3f)));
+  const FrameOutput output = render(scene, jpeg_input({default_pose(kMarker)}));
+  EXPECT_FALSE(output.unchanged);
+  EXPECT_TRUE(pass(output, "diffuse").ran);
+  EXPECT_EQ(pass(output, "trace").reason, "no specular object in the scene");
+  EXPECT_EQ(pass(output, "warp").reason, "the lens does not distort");
+  EXPECT_GT(output.statistics.pixels.virtual_pixels, 0u);
+  EXPECT_EQ(output.statistics.pixels.specular, 0u);
+  EXPECT_EQ(output.statistics.nonfinite, 0u);
+}
+
+// Pixels that nothing virtual touches keep their bytes; the object's do not.
+TEST(FrameRenderer, TouchesOnlyWhatIsAffected) {
+  scene::Scene scene = table();
+  add_box(scene, test_support::make_mirror());
+  ViewOptions options;
+  options.camera = default_camera(kWidth, kHeight);
+  options.keep_pixels = true;
+  const FrameOutput output = render(scene, {stripes(), {default_pose(kMarker)}}, options);
+  const core::ImageRgb8 camera = stripes();
+  EXPECT_EQ(output.pixels.at(0, 0), camera.at(0, 0)) << "the corner sees past the table";
+  int changed = 0;
+  for (std::size_t i = 0; i < camera.pixels().size(); ++i) {
+    if (output.pixels.pixels()[i] != camera.pixels()[i]) ++changed;
+  }
+  EXPECT_GT(changed, static_cast<int>(output.statistics.pixels.specular) / 2);
+  EXPECT_TRUE(pass(output, "trace").ran);
+  EXPECT_GT(output.statistics.rays.reflection, 0u);
+}
+
+// One picture, two ways to it; a fixed exposure, because the meters differ by a shadow's edge.
+TEST(FrameRenderer, HybridAndRaytraceAgree) {
+  scene::Scene scene = table();
+  add_box(scene, test_support::make_diffuse(glm::vec3(0.7f, 0.3f, 0.2f), 0.4f));
+  add_object(scene, test_support::make_sphere({0.09f, 0.03f, 0.02f}, 0.03f),
+             test_support::make_glass(), scene::Role::Virtual);
+  ViewOptions options;
+  options.camera = default_camera(kWidth, kHeight);
+  options.keep_pixels = true;
+  RendererSettings settings;
+  settings.exposure = 0.8f;
+  const FrameInput input{stripes(), {default_pose(kMarker)}};
+  const FrameOutput hybrid = render(scene, input, options, settings);
+  settings.mode = RendererMode::Raytrace;
+  const FrameOutput traced = render(scene, input, options, settings);
+  double sum = 0.0;
+  int far = 0;
+  for (std::size_t i = 0; i < hybrid.pixels.pixels().size(); ++i) {
+    const glm::ivec3 d =
+        glm::abs(glm::ivec3(hybrid.pixels.pixels()[i]) - glm::ivec3(traced.pixels.pixels()[i]));
+    sum += d.x + d.y + d.z;
+    if (std::max({d.x, d.y, d.z}) > 8) ++far;
+  }
+  const auto pixels = static_cast<double>(hybrid.pixels.pixels().size());
+  EXPECT_LT(sum / (3.0 * pixels), 1.0) << "mean difference in bytes";
+  EXPECT_LT(far / pixels, 0.02) << "shadow edges, which fall by a texel of the shadow map";
+}
+
+TEST(FrameRenderer, ImageOfAnotherSizeIsTheClientsFault) {
+  scene::Scene scene = table();
+  add_box(scene, test_support::make_diffuse(glm::vec3(0.5f)));
+  FrameInput input = jpeg_input({default_pose(kMarker)});
+  ViewOptions options;
+  options.camera = default_camera(64, 48);
+  EXPECT_THROW(render(scene, input, options), codec::JpegError);
+}
+
+TEST(FrameRenderer, SecondFrameRedrawsNoShadowMap) {
+  scene::Scene scene = table();
+  add_box(scene, test_support::make_mirror());
+  FrameRenderer renderer(scene, {});
+  ViewState view({.camera = default_camera(kWidth, kHeight)});
+  const FrameInput input = jpeg_input({default_pose(kMarker)});
+  const FrameOutput first = renderer.render(view, input), second = renderer.render(view, input);
+  EXPECT_TRUE(pass(first, "place instances").ran);
+  EXPECT_EQ(pass(second, "place instances").reason, "nothing moved since the last frame");
+  EXPECT_TRUE(pass(first, "shadow maps, virtual opaque").ran);
+  EXPECT_EQ(pass(second, "shadow maps, virtual opaque").reason,
+            "nothing moved since the last frame");
+  EXPECT_EQ(first.jpeg, second.jpeg);
+}
+
+TEST(FrameRenderer, BuffersAreThoseOfTheThesis) {
+  scene::Scene scene = table();
+  add_box(scene, test_support::make_mirror());
+  FrameRenderer renderer(scene, {});
+  ViewState view({.camera = default_camera(kWidth, kHeight)});
+  FrameBuffers buffers;
+  renderer.render(view, jpeg_input({default_pose(kMarker)}), &buffers);
+  for (const char* name : {"mixed", "real", "environment_reflection", "virtual_mask",
+                           "tracing_mask", "real_depth", "over", "difference"}) {
+    EXPECT_TRUE(buffers.contains(name)) << name;
+  }
+}
+
+}  // namespace
+}  // namespace amalgam::frame

@@ -1,0 +1,122 @@
+#include "frame/render_thread.h"
+
+#include <gtest/gtest.h>
+
+#include <condition_variable>
+#include <mutex>
+
+#include "codec/jpeg.h"
+#include "frame/default_view.h"
+
+namespace amalgam::frame {
+namespace {
+
+const std::string kScene = AMALGAM_SOURCE_DIR "/deploy/scenes/diffuse.gltf";
+
+// Collects what is delivered, and waits for it.
+class Inbox {
+ public:
+  FrameService::Deliver deliver() {
+    return [this](std::uint64_t id, FrameResult result) {
+      const std::lock_guard lock(mutex_);
+      results_.emplace_back(id, std::move(result));
+      arrived_.notify_all();
+    };
+  }
+  bool wait_for(std::size_t count) {
+    std::unique_lock lock(mutex_);
+    return arrived_.wait_for(lock, std::chrono::seconds(60),
+                             [&] { return results_.size() >= count; });
+  }
+  std::pair<std::uint64_t, FrameResult> at(std::size_t i) {
+    const std::lock_guard lock(mutex_);
+    return results_.at(i);
+  }
+  std::size_t size() {
+    const std::lock_guard lock(mutex_);
+    return results_.size();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable arrived_;
+  std::vector<std::pair<std::uint64_t, FrameResult>> results_;
+};
+
+ViewOptions small_view() {
+  return {.camera = default_camera(64, 48)};
+}
+
+FrameInput grey_frame() {
+  return {codec::encode_jpeg(core::ImageRgb8(64, 48, core::Rgb8(128)), 90), {default_pose(40)}};
+}
+
+TEST(RenderThread, TellsWhichMarkersToLookFor) {
+  const RenderThread service(kScene, {});
+  const auto markers = service.markers();
+  EXPECT_EQ(markers.dictionary, "DICT_6X6_250");
+  ASSERT_FALSE(markers.ids.empty());
+  EXPECT_EQ(markers.ids.front(), 40);
+}
+
+TEST(RenderThread, ServesViewsAndReportsBadImages) {
+  Inbox a, b;
+  RenderThread service(kScene, {});
+  const ViewId first = service.open_view(small_view(), a.deliver());
+  const ViewId second = service.open_view(small_view(), b.deliver());
+  service.submit(first, 1, grey_frame());
+  FrameInput broken = grey_frame();
+  std::get<Bytes>(broken.image).resize(100);
+  service.submit(second, 7, std::move(broken));
+  ASSERT_TRUE(a.wait_for(1));
+  ASSERT_TRUE(b.wait_for(1));
+  EXPECT_TRUE(std::holds_alternative<FrameOutput>(a.at(0).second));
+  ASSERT_TRUE(std::holds_alternative<FrameFailure>(b.at(0).second));
+  EXPECT_EQ(std::get<FrameFailure>(b.at(0).second).kind, FrameFailure::Kind::BadImage);
+  // The view goes on after a bad image.
+  service.submit(second, 8, grey_frame());
+  ASSERT_TRUE(b.wait_for(2));
+  EXPECT_EQ(b.at(1).first, 8u);
+  EXPECT_TRUE(std::holds_alternative<FrameOutput>(b.at(1).second));
+}
+
+// Every submitted frame is either delivered or reported as replaced.
+TEST(RenderThread, NewestWins) {
+  Inbox inbox;
+  RenderThread service(kScene, {});
+  const ViewId view = service.open_view(small_view(), inbox.deliver());
+  std::size_t replaced = 0;
+  constexpr std::uint64_t kFrames = 40;
+  for (std::uint64_t id = 1; id <= kFrames; ++id)
+    replaced += service.submit(view, id, grey_frame());
+  ASSERT_TRUE(inbox.wait_for(kFrames - replaced));
+  EXPECT_EQ(inbox.at(inbox.size() - 1).first, kFrames) << "the last one is never skipped";
+  EXPECT_EQ(inbox.size() + replaced, kFrames);
+}
+
+TEST(RenderThread, NothingIsDeliveredAfterClosing) {
+  RenderThread service(kScene, {});
+  Inbox inbox;
+  const ViewId view = service.open_view(small_view(), inbox.deliver());
+  service.submit(view, 1, grey_frame());
+  service.close_view(view);
+  const std::size_t delivered = inbox.size();
+  Inbox other;
+  const ViewId next = service.open_view(small_view(), other.deliver());
+  service.submit(next, 1, grey_frame());
+  ASSERT_TRUE(other.wait_for(1));
+  EXPECT_EQ(inbox.size(), delivered);
+  EXPECT_FALSE(service.submit(view, 2, grey_frame())) << "a closed view takes nothing";
+}
+
+TEST(RenderThread, StartFailureReachesTheCaller) {
+  EXPECT_THROW(RenderThread("/nowhere/scene.gltf", {}), std::exception);
+}
+
+TEST(RenderThread, UnusableCameraIsRefused) {
+  RenderThread service(kScene, {});
+  EXPECT_THROW(service.open_view({}, [](std::uint64_t, FrameResult) {}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace amalgam::frame

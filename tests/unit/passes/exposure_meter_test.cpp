@@ -1,0 +1,74 @@
+#include "passes/exposure_meter.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "passes/exposure.h"
+#include "scene/tone_map.h"
+#include "support/scene_builders.h"
+
+namespace amalgam::passes {
+namespace {
+
+constexpr int kWidth = 64, kHeight = 48;
+
+MeterGrid constant_grid(float radiance, int step = 4) {
+  return {core::ImageRgba32f(kWidth / step, kHeight / step, glm::vec4(glm::vec3(radiance), 1.0f)),
+          step, 1};
+}
+
+std::optional<float> meter(const MeterGrid& grid, const core::ImageRgb8& image) {
+  const core::CameraModel camera = test_support::make_pinhole(kWidth, kHeight, 50.0);
+  return meter_exposure(grid, camera, camera, image);
+}
+
+// A grey card: tone-mapping the model with the metered exposure gives what the camera shows.
+TEST(ExposureMeter, MakesTheModelLookLikeTheCameraImage) {
+  const core::ImageRgb8 image(kWidth, kHeight, core::Rgb8(150));
+  for (const float radiance : {1e-4f, 0.3f, 40.0f}) {
+    const auto exposure = meter(constant_grid(radiance), image);
+    ASSERT_TRUE(exposure);
+    EXPECT_EQ(scene::srgb_encode(scene::tone_map(glm::vec3(radiance), *exposure)), core::Rgb8(150));
+  }
+}
+
+TEST(ExposureMeter, DoesNotMoveWithWhatTheModelDoesNotKnow) {
+  core::ImageRgb8 image(kWidth, kHeight, core::Rgb8(150));
+  const auto expected = meter(constant_grid(0.5f), image);
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth / 3; ++x)
+      image.at(x, y) = core::Rgb8(20);  // a third is a dark thing
+  }
+  EXPECT_EQ(meter(constant_grid(0.5f), image), expected);
+}
+
+// numerics B18: black, infinite and missing pixels change nothing; nothing at all gives nothing.
+TEST(ExposureMeter, UnusablePixelsDoNotCount) {
+  const core::ImageRgb8 image(kWidth, kHeight, core::Rgb8(150));
+  const auto expected = meter(constant_grid(0.5f), image);
+  MeterGrid grid = constant_grid(0.5f);
+  grid.real.at(0, 0) = glm::vec4(std::numeric_limits<float>::infinity());
+  grid.real.at(1, 0) = glm::vec4(std::numeric_limits<float>::quiet_NaN());
+  for (int x = 2; x < grid.real.width(); ++x) grid.real.at(x, 0) = glm::vec4(0, 0, 0, 1);
+  grid.real.at(0, 1) = glm::vec4(100, 100, 100, 0);  // not a real surface
+  EXPECT_EQ(meter(grid, image), expected);
+  EXPECT_FALSE(meter(constant_grid(0.0f), image));
+  EXPECT_FALSE(meter(constant_grid(0.5f), core::ImageRgb8(kWidth, kHeight, core::Rgb8(0))));
+}
+
+TEST(ExposureMemory, TakesTheFirstReadingAndApproachesLaterOnes) {
+  ExposureMemory memory;
+  EXPECT_EQ(memory.update(std::nullopt), 1.0f);
+  EXPECT_EQ(memory.update(4.0f), 4.0f);
+  const float next = memory.update(8.0f);
+  EXPECT_GT(next, 4.0f);
+  EXPECT_LT(next, 5.0f);
+  EXPECT_EQ(memory.update(std::nullopt), next);
+  float value = next;
+  for (int i = 0; i < 60; ++i) value = memory.update(8.0f);
+  EXPECT_NEAR(value, 8.0f, 1e-3f);
+}
+
+}  // namespace
+}  // namespace amalgam::passes
