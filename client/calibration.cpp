@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <fstream>
-#include <numbers>
 #include <opencv2/core.hpp>
 #include <opencv2/core/persistence.hpp>
 #include <opencv2/core/utility.hpp>
@@ -173,17 +172,6 @@ core::CameraModel fit_to_image(const core::CameraModel& calibration, int width, 
   if (const std::string defect = core::describe_defect(camera); !defect.empty()) {
     throw std::runtime_error("the calibration cannot be used: " + defect);
   }
-  return camera;
-}
-
-core::CameraModel default_camera(int width, int height) {
-  constexpr double kHalfFieldOfView = std::numbers::pi / 6.0;  // of the width
-  core::CameraModel camera;
-  camera.width = width;
-  camera.height = height;
-  camera.fx = camera.fy = 0.5 * width / std::tan(kHalfFieldOfView);
-  camera.cx = 0.5 * width - 0.5;
-  camera.cy = 0.5 * height - 0.5;
   return camera;
 }
 

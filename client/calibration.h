@@ -20,8 +20,4 @@ core::CameraModel load_calibration(const std::filesystem::path& file);
 // otherwise, and if the result is not a camera that can be rendered with.
 core::CameraModel fit_to_image(const core::CameraModel& calibration, int width, int height);
 
-// A guess for an unknown camera: 60 degrees wide, square pixels, no distortion. Poses come out in
-// about the right proportion; distances are only as right as the guess.
-core::CameraModel default_camera(int width, int height);
-
 }  // namespace amalgam::client

@@ -51,18 +51,21 @@ bool odd(double value) {
   return (static_cast<std::int64_t>(std::floor(value)) & 1) != 0;
 }
 
+// Bleached wood, about as bright and neutral as the scenes' model of the table: differential
+// rendering darkens by what the model says, and a dark or strongly coloured desk would show that as
+// coloured shadows.
 Colour wood(const Point& p) {
   constexpr double kPlank = 0.115;  // metres wide, running along x
   const double row = std::floor(p.y / kPlank);
   const auto plank = static_cast<std::int64_t>(row);
   const double across = p.y - row * kPlank;
-  if (across < 0.0018) return {58, 36, 22};  // the gap between planks
+  if (across < 0.0018) return {128, 117, 104};  // the gap between planks
   const double shift = 10.0 * hash(plank, 1);
   const double waves = noise({p.x * 4.0 + shift, p.y * 30.0});
   const double grain = noise({p.x * 9.0 + shift, p.y * 260.0 + 6.0 * waves});
   const double rings = 0.5 + 0.5 * std::sin(across * 380.0 + 14.0 * waves + shift);
   const double tone = 0.80 + 0.22 * hash(plank, 2) - 0.13 * grain - 0.10 * rings;
-  return Colour(glm::dvec3(206, 148, 92) * tone);
+  return Colour(glm::dvec3(250, 240, 224) * tone);
 }
 
 Layer sheet(const Point& p) {

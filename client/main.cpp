@@ -48,7 +48,7 @@ core::CameraModel camera_for(const Options& options, cv::Size size) {
   if (!options.synthetic) {
     core::log_warn("no --calibration: a 60 degrees wide lens is assumed, positions will be off");
   }
-  return default_camera(size.width, size.height);
+  return core::default_camera(size.width, size.height);
 }
 
 std::unique_ptr<CameraSource> make_source(const Options& options) {

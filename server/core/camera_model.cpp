@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat2x2.hpp>
 #include <glm/matrix.hpp>
+#include <numbers>
 #include <numeric>
 
 namespace amalgam::core {
@@ -76,6 +77,17 @@ void walk_border(const CameraModel& camera, Visit visit) {
 
 bool CameraModel::has_distortion() const {
   return std::any_of(distortion.begin(), distortion.end(), [](double k) { return k != 0.0; });
+}
+
+CameraModel default_camera(int width, int height) {
+  constexpr double kHalfFieldOfView = std::numbers::pi / 6.0;  // of the width
+  CameraModel camera;
+  camera.width = width;
+  camera.height = height;
+  camera.fx = camera.fy = 0.5 * width / std::tan(kHalfFieldOfView);
+  camera.cx = 0.5 * (width - 1);
+  camera.cy = 0.5 * (height - 1);
+  return camera;
 }
 
 std::string describe_defect(const CameraModel& camera) {

@@ -24,6 +24,9 @@ struct CameraModel {
   bool has_distortion() const;
 };
 
+// A guess for an unknown camera: 60 degrees wide, square pixels, no distortion.
+CameraModel default_camera(int width, int height);
+
 // An empty string if the model can be rendered with, otherwise what is wrong with it: sides not in
 // 1..8192, focal lengths not finite or not in [1, 1e6], a principal point further than ten image
 // sides away, non-finite coefficients, or a distortion that folds back inside the image (not

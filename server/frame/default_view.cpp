@@ -1,21 +1,9 @@
 #include "frame/default_view.h"
 
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
-#include <numbers>
 
 namespace amalgam::frame {
-
-core::CameraModel default_camera(int width, int height) {
-  core::CameraModel camera;
-  camera.width = width;
-  camera.height = height;
-  camera.fx = camera.fy = 0.5 * width / std::tan(std::numbers::pi / 6.0);
-  camera.cx = 0.5 * (width - 1);
-  camera.cy = 0.5 * (height - 1);
-  return camera;
-}
 
 core::MarkerPose default_pose(int world_marker) {
   const glm::dvec3 eye(0.0, 0.33, 0.42), target(-0.02, 0.03, -0.06);  // glTF axes on the marker

@@ -30,7 +30,7 @@ FrameService::MarkerSet marker_set(const scene::Scene& scene) {
 // Renders a small frame for nobody: shaders are compiled for good and shadow maps drawn, which a
 // first client would wait seconds for otherwise.
 void warm_up(FrameRenderer& renderer) {
-  ViewState view({.camera = default_camera(160, 120)});
+  ViewState view({.camera = core::default_camera(160, 120)});
   const core::ImageRgb8 grey(view.options.camera.width, view.options.camera.height,
                              core::Rgb8(128));
   renderer.render(view, {grey, {default_pose(renderer.scene().world.marker)}});

@@ -96,7 +96,7 @@ RenderInput load_render_input(const RenderInputOptions& options, const scene::Sc
   input.camera =
       options.calibration
           ? client::fit_to_image(client::load_calibration(*options.calibration), width, height)
-          : frame::default_camera(width, height);
+          : core::default_camera(width, height);
   if (options.poses) {
     input.frame.poses = load_poses(*options.poses);
   } else if (options.camera_image) {

@@ -104,7 +104,7 @@ TEST(Calibration, SaysWhatIsWrongWithAFile) {
 }
 
 TEST(Calibration, ScalesToTheSameViewInAnotherSize) {
-  core::CameraModel camera = default_camera(640, 480);
+  core::CameraModel camera = core::default_camera(640, 480);
   camera.cx = 300.0;
   const auto half = fit_to_image(camera, 320, 240);
   // The same direction is seen at the same place of the picture, measured from its corner.
@@ -122,7 +122,7 @@ TEST(Calibration, RefusesAnImageThatDoesNotHoldThePrincipalPoint) {
 }
 
 TEST(Calibration, DefaultIsSixtyDegreesWide) {
-  const auto camera = default_camera(800, 600);
+  const auto camera = core::default_camera(800, 600);
   EXPECT_EQ(core::describe_defect(camera), "");
   // The image's left edge, half a pixel before the first pixel's centre, is 30 degrees off.
   EXPECT_NEAR((-0.5 - camera.cx) / camera.fx, -std::tan(std::acos(-1.0) / 6), 1e-12);

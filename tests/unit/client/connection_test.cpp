@@ -20,7 +20,7 @@ using namespace std::chrono_literals;
 using testing::HasSubstr;
 
 protocol::Hello hello() {
-  return hello_message(default_camera(64, 48), "secret", 80);
+  return hello_message(core::default_camera(64, 48), "secret", 80);
 }
 
 std::string frame(std::uint64_t id, std::size_t bytes = 100) {

@@ -67,7 +67,7 @@ TEST_P(TutorialPhotograph, HasItsMarkersWhereExpected) {
   ASSERT_FALSE(photograph->image.empty());
   // The expected corners are of the detector without refinement.
   const MarkerTracker tracker({.dictionary = photograph->dictionary, .refine_corners = false},
-                              default_camera(photograph->image.cols, photograph->image.rows));
+                              core::default_camera(photograph->image.cols, photograph->image.rows));
   const auto found = tracker.detect(photograph->image);
   const json& expected = photograph->expected.at("markers");
   EXPECT_EQ(found.size(), expected.size());
@@ -94,7 +94,7 @@ TEST_P(FieldPhotograph, HasMostMarkers) {
   if (!photograph) GTEST_SKIP() << "no test data (AMALGAM_TEST_DATA or ../shared/data)";
   ASSERT_FALSE(photograph->image.empty());
   MarkerTracker tracker({.dictionary = photograph->dictionary},
-                        default_camera(photograph->image.cols, photograph->image.rows));
+                        core::default_camera(photograph->image.cols, photograph->image.rows));
   const auto found = tracker.detect(photograph->image);
   const double tolerance = photograph->expected.at("tolerance_px");
   int matched = 0;

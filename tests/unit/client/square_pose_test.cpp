@@ -31,7 +31,7 @@ SquareCorners project_corners(const core::CameraModel& camera, const core::Marke
 }
 
 TEST(SquarePose, FindsAnExactPoseThroughADistortingLens) {
-  core::CameraModel camera = default_camera(800, 600);
+  core::CameraModel camera = core::default_camera(800, 600);
   camera.distortion = {0.0995485, -0.206384, 0.00754589, 0.00336531};
   const auto truth = look_at({0.12, -0.3, 0.25}, {0.02, 0.03, 0.01}, 7);
   const auto solutions = solve_square(project_corners(camera, truth), kLength, camera);
@@ -43,7 +43,7 @@ TEST(SquarePose, FindsAnExactPoseThroughADistortingLens) {
 }
 
 TEST(SquarePose, AMarkerFacingTheCameraExactlyHasAPose) {
-  const core::CameraModel camera = default_camera(801, 601);
+  const core::CameraModel camera = core::default_camera(801, 601);
   core::MarkerPose facing;
   facing.rotation = glm::dquat(0.0, 1.0, 0.0, 0.0);  // half a turn about x
   facing.translation = {0.0, 0.0, 0.4};
@@ -55,7 +55,7 @@ TEST(SquarePose, AMarkerFacingTheCameraExactlyHasAPose) {
 }
 
 TEST(SquarePose, NonsenseGivesNothingOrSomethingUsable) {
-  const core::CameraModel camera = default_camera(640, 480);
+  const core::CameraModel camera = core::default_camera(640, 480);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<SquareCorners> nonsense{
       {{{10, 10}, {10, 10}, {10, 10}, {10, 10}}},
@@ -81,7 +81,7 @@ struct FlipRates {
 FlipRates measure_flips(int draws, double min_distance, double max_distance) {
   constexpr int kFrames = 20;
   constexpr double kDegree = 3.14159265358979 / 180.0;
-  const core::CameraModel camera = default_camera(800, 600);
+  const core::CameraModel camera = core::default_camera(800, 600);
   std::mt19937 random(22);
   std::uniform_real_distribution<double> distance(min_distance, max_distance);
   std::uniform_real_distribution<double> tilt(0.0, 60.0 * kDegree), turn(0.0, 360.0 * kDegree);

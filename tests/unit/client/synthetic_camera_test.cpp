@@ -19,7 +19,7 @@ std::shared_ptr<const SyntheticDesk> desk() {
 }
 
 core::CameraModel distorting_camera() {
-  core::CameraModel camera = default_camera(800, 600);
+  core::CameraModel camera = core::default_camera(800, 600);
   camera.distortion = {0.0995485, -0.206384, 0.00754589, 0.00336531};
   return camera;
 }
@@ -69,7 +69,7 @@ void expect_good(const PoseErrors& errors) {
 }
 
 TEST(SyntheticCamera, DetectedPosesAreTheTrueOnes) {
-  const core::CameraModel camera = default_camera(800, 600);
+  const core::CameraModel camera = core::default_camera(800, 600);
   expect_good(measure(camera, camera));
 }
 
@@ -86,7 +86,7 @@ TEST(SyntheticCamera, DistortionIsReallyThere) {
 }
 
 TEST(SyntheticCamera, MarkerEdgesLieWhereThePoseSays) {
-  const core::CameraModel camera = default_camera(400, 300);
+  const core::CameraModel camera = core::default_camera(400, 300);
   const auto pose = look_at({0.0, -0.1, 0.3}, {0.0, 0.0, 0.0}, 40);
   const auto image = SyntheticCamera(camera, desk()).render(pose);
   const auto grey_at = [&](double x, double y) {
@@ -104,13 +104,13 @@ TEST(SyntheticCamera, MarkerEdgesLieWhereThePoseSays) {
 }
 
 TEST(SyntheticCamera, FramesAreAFunctionOfTheirNumber) {
-  const SyntheticCamera camera(default_camera(160, 120), desk());
+  const SyntheticCamera camera(core::default_camera(160, 120), desk());
   EXPECT_EQ(camera.render(3).image, camera.render(3 + kSyntheticPeriod).image);
   EXPECT_NE(camera.render(3).image, camera.render(4).image);
 }
 
 TEST(SyntheticPath, StaysInFrontAndInReachAndKeepsMoving) {
-  const auto camera = default_camera(800, 600);
+  const auto camera = core::default_camera(800, 600);
   core::MarkerPose last = synthetic_pose(kSyntheticPeriod - 1, 40);
   for (std::uint64_t frame = 0; frame < kSyntheticPeriod; ++frame) {
     const auto pose = synthetic_pose(frame, 40);
@@ -137,13 +137,13 @@ TEST(SyntheticDesk, RefusesMarkersThatDoNotExistOrFit) {
 }
 
 TEST(MarkerTracker, RefusesImagesOfAnotherSize) {
-  MarkerTracker tracker({}, default_camera(640, 480));
+  MarkerTracker tracker({}, core::default_camera(640, 480));
   EXPECT_THROW(tracker.track(core::ImageRgb8(320, 240)), std::invalid_argument);
   EXPECT_TRUE(tracker.track(core::ImageRgb8(640, 480)).empty());
 }
 
 TEST(MarkerTracker, LooksForTheMarkersItIsAskedFor) {
-  const core::CameraModel camera = default_camera(800, 600);
+  const core::CameraModel camera = core::default_camera(800, 600);
   const auto image = SyntheticCamera(camera, desk()).render(0).image;
   EXPECT_EQ(MarkerTracker({.ids = {7, 40}}, camera).track(image).size(), 1u);
   EXPECT_TRUE(MarkerTracker({.ids = {7}}, camera).track(image).empty());

@@ -116,14 +116,14 @@ Outcome view(CameraSource& source, FrameSink* sink, const ViewerOptions& options
     }
   }});
   const std::atomic<bool> stop = false;
-  const auto camera = default_camera(source.size().width, source.size().height);
+  const auto camera = core::default_camera(source.size().width, source.size().height);
   Connection connection(server.options(3000ms), hello_message(camera, "", 0));
   outcome.summary = Viewer(options, camera, source, sink, connection, stop).run();
   return outcome;
 }
 
 TEST(Viewer, AccountsForEveryFrameOfTheSyntheticCamera) {
-  SyntheticSource source(default_camera(320, 240), true, 90);
+  SyntheticSource source(core::default_camera(320, 240), true, 90);
   const auto outcome = view(source, nullptr, {.frames = 20, .rate = 500.0},
                             [](std::uint64_t id) { return id % 3 == 0 || id == 20; });
   const FrameCounts& counts = outcome.summary.frames;
@@ -160,7 +160,7 @@ TEST(Viewer, InLockstepNothingIsSkippedAndBytesComeBackAsFiles) {
 
 TEST(Viewer, RecordsAFilm) {
   const auto folder = fresh_folder();
-  SyntheticSource source(default_camera(320, 240), true, 90);
+  SyntheticSource source(core::default_camera(320, 240), true, 90);
   auto sink = make_record_sink(folder / "film.mp4", 25.0);
   view(source, sink.get(), {.frames = 3, .lockstep = true}, [](std::uint64_t) { return true; });
   sink.reset();

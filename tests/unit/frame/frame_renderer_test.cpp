@@ -41,7 +41,7 @@ core::ImageRgb8 stripes() {
 
 FrameOutput render(scene::Scene scene, const FrameInput& input, ViewOptions options = {},
                    const RendererSettings& settings = {}) {
-  if (options.camera.width == 0) options.camera = default_camera(kWidth, kHeight);
+  if (options.camera.width == 0) options.camera = core::default_camera(kWidth, kHeight);
   FrameRenderer renderer(std::move(scene), settings);
   ViewState view(options);
   return renderer.render(view, input);
@@ -100,7 +100,7 @@ TEST(FrameRenderer, OutOfSightIsOutOfTheFrame) {
 
 TEST(FrameRenderer, AnotherQualityIsEncodedEvenIfNothingChanged) {
   ViewOptions options;
-  options.camera = default_camera(kWidth, kHeight);
+  options.camera = core::default_camera(kWidth, kHeight);
   options.jpeg_quality = 40;
   const FrameInput input = jpeg_input({});
   const FrameOutput output = render(table(), input, options);
@@ -126,7 +126,7 @@ TEST(FrameRenderer, TouchesOnlyWhatIsAffected) {
   scene::Scene scene = table();
   add_box(scene, test_support::make_mirror());
   ViewOptions options;
-  options.camera = default_camera(kWidth, kHeight);
+  options.camera = core::default_camera(kWidth, kHeight);
   options.keep_pixels = true;
   const FrameOutput output = render(scene, {stripes(), {default_pose(kMarker)}}, options);
   const core::ImageRgb8 camera = stripes();
@@ -147,7 +147,7 @@ TEST(FrameRenderer, HybridAndRaytraceAgree) {
   add_object(scene, test_support::make_sphere({0.09f, 0.03f, 0.02f}, 0.03f),
              test_support::make_glass(), scene::Role::Virtual);
   ViewOptions options;
-  options.camera = default_camera(kWidth, kHeight);
+  options.camera = core::default_camera(kWidth, kHeight);
   options.keep_pixels = true;
   RendererSettings settings;
   settings.exposure = 0.8f;
@@ -173,7 +173,7 @@ TEST(FrameRenderer, ImageOfAnotherSizeIsTheClientsFault) {
   add_box(scene, test_support::make_diffuse(glm::vec3(0.5f)));
   FrameInput input = jpeg_input({default_pose(kMarker)});
   ViewOptions options;
-  options.camera = default_camera(64, 48);
+  options.camera = core::default_camera(64, 48);
   EXPECT_THROW(render(scene, input, options), codec::JpegError);
 }
 
@@ -181,7 +181,7 @@ TEST(FrameRenderer, SecondFrameRedrawsNoShadowMap) {
   scene::Scene scene = table();
   add_box(scene, test_support::make_mirror());
   FrameRenderer renderer(scene, {});
-  ViewState view({.camera = default_camera(kWidth, kHeight)});
+  ViewState view({.camera = core::default_camera(kWidth, kHeight)});
   const FrameInput input = jpeg_input({default_pose(kMarker)});
   const FrameOutput first = renderer.render(view, input), second = renderer.render(view, input);
   EXPECT_TRUE(pass(first, "place instances").ran);
@@ -196,7 +196,7 @@ TEST(FrameRenderer, BuffersAreThoseOfTheThesis) {
   scene::Scene scene = table();
   add_box(scene, test_support::make_mirror());
   FrameRenderer renderer(scene, {});
-  ViewState view({.camera = default_camera(kWidth, kHeight)});
+  ViewState view({.camera = core::default_camera(kWidth, kHeight)});
   FrameBuffers buffers;
   renderer.render(view, jpeg_input({default_pose(kMarker)}), &buffers);
   for (const char* name : {"mixed", "real", "environment_reflection", "virtual_mask",

@@ -44,7 +44,7 @@ class Inbox {
 };
 
 ViewOptions small_view() {
-  return {.camera = default_camera(64, 48)};
+  return {.camera = core::default_camera(64, 48)};
 }
 
 FrameInput grey_frame() {
