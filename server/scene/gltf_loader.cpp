@@ -32,8 +32,15 @@ class SceneBuilder {
     check_accessor_data(gltf_.model);
     ResolvedMaterials materials = resolve_materials(gltf_, scene_.textures, scene_.notes);
     // Every mesh is read, drawn or not: a file with a broken one is a broken file.
+    // Primitives may share accessors, so that a small file can ask for any number of vertices.
+    constexpr std::size_t kMaxVertices = 50'000'000;
+    std::size_t vertices = 0;
     for (std::size_t i = 0; i < gltf_.model.meshes.size(); ++i) {
       read_.push_back(read_primitives(gltf_, i, materials, scene_.notes));
+      for (const ReadPrimitive& primitive : read_.back()) {
+        vertices += primitive.mesh.positions.size();
+      }
+      if (vertices > kMaxVertices) throw SceneError("more than 50 million vertices");
     }
     scene_.materials = std::move(materials.materials);
     walk();

@@ -100,7 +100,7 @@ TEST(GltfRobustness, CrashReproducersAreReadOrRefused) {
 
 TEST(GltfRobustness, EveryTruncationIsRefused) {
   const std::string text = sample_gltf();
-  for (std::size_t size = 0; size < text.size() - 1; size += 3) {
+  for (std::size_t size = 0; size < text.size() - 1; size += 11) {
     EXPECT_NE(refusal_of(text.substr(0, size)), "accepted") << size;
   }
 }
@@ -114,7 +114,7 @@ TEST(GltfRobustness, MutatedFilesAreReadOrRefused) {
   std::mt19937 random(7);
   const std::size_t json_end = text.find("\"uri\"");
   int accepted = 0;
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < 1000; ++i) {
     std::string mutated = text;
     for (int edit = 0; edit < 1 + i % 3; ++edit) {
       const std::size_t at = random() % json_end;
@@ -122,7 +122,7 @@ TEST(GltfRobustness, MutatedFilesAreReadOrRefused) {
     }
     accepted += refusal_of(mutated) == "accepted";
   }
-  EXPECT_LT(accepted, 3000);
+  EXPECT_LT(accepted, 1000);
 }
 
 }  // namespace
