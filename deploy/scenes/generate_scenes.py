@@ -23,15 +23,18 @@ def marble_material(scene):
 
 
 def complex_scene():
-    """Marker 40 lies at the origin, the viewer at +Z looks down on it; mirrors stand at the back."""
+    """Marker 40 at the origin, the viewer at +Z looks down on it; mirrors stand at the back."""
     scene = new_scene()
     a_box, ball = box(), sphere(32, 32)
-    # Mirrors lean back like pictures on an easel: the camera looks down, and upright ones would show it
-    # the desk alone. The glass stands half on a marker of the photograph that the demo uses, to refract it.
+    # Mirrors lean back like pictures on an easel: the camera looks down, and upright ones would
+    # show it the desk alone. The glass stands half on a marker of the photograph that the demo
+    # uses, to refract it.
     scene.add("real mirror", a_box, mirror_material(scene, "real mirror", 0.9), role="real",
-              translation=[-0.120, 0.0015 + LIFT, -0.150], rotation=turn(18, 14), scale=[0.16, 0.13, 0.006])
+              translation=[-0.120, 0.0015 + LIFT, -0.150], rotation=turn(18, 14),
+              scale=[0.16, 0.13, 0.006])
     scene.add("virtual mirror", a_box, mirror_material(scene, "virtual mirror", 0.95),
-              translation=[0.090, 0.0015 + LIFT, -0.150], rotation=turn(-24, 14), scale=[0.15, 0.12, 0.006])
+              translation=[0.090, 0.0015 + LIFT, -0.150], rotation=turn(-24, 14),
+              scale=[0.15, 0.12, 0.006])
     scene.add("marble cube", a_box, marble_material(scene),
               translation=[-0.018, LIFT, -0.066], rotation=turn(28), scale=[0.045] * 3)
     scene.add("mirror sphere", ball, mirror_material(scene, "chrome", 0.95),
@@ -45,7 +48,8 @@ def diffuse_scene():
     scene = new_scene()
     scene.add("marble cube", box(), marble_material(scene),
               translation=[-0.075, LIFT, -0.06], rotation=turn(25), scale=[0.045] * 3)
-    scene.add("red sphere", sphere(32, 32), scene.material("red", (0.70, 0.08, 0.06), roughness=0.3),
+    scene.add("red sphere", sphere(32, 32),
+              scene.material("red", (0.70, 0.08, 0.06), roughness=0.3),
               translation=[0.0, 0.03 + LIFT, -0.10], scale=[0.03] * 3)
     scene.add("green torus", torus(0.028, 0.011, 32, 16),
               scene.material("green", (0.10, 0.45, 0.14), roughness=0.6),

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes a scene of any Wavefront OBJ: the model in glass or as a mirror on the table with marker 40.
+"""Makes a scene of any Wavefront OBJ: the model in glass or as a mirror on the table of marker 40.
 
     wrap_obj.py MODEL.obj --material glass|mirror --output SCENE.gltf [--height 0.09]
 

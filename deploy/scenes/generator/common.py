@@ -5,7 +5,8 @@ import math
 from .gltf_writer import GltfWriter
 from .shapes import quad
 
-LIFT = 0.0002  # metres above the table: faces that lie in each other have no well-defined nearest one
+# Metres above the table: of faces that lie in each other, none is well defined as the nearest.
+LIFT = 0.0002
 
 
 def new_scene(environment="environment.exr"):
@@ -31,7 +32,7 @@ def glass_material(scene, thickness):
 
 
 def turn(degrees, lean=0.0):
-    """Quaternion x y z w: upright turned about +Y, leaning back (its top away from its front, +Z)."""
+    """Quaternion x y z w: turned about +Y, leaning back (its top away from its front, +Z)."""
     half_turn, half_lean = math.radians(degrees) / 2, -math.radians(lean) / 2
     return [math.cos(half_turn) * math.sin(half_lean), math.sin(half_turn) * math.cos(half_lean),
             -math.sin(half_turn) * math.sin(half_lean), math.cos(half_turn) * math.cos(half_lean)]

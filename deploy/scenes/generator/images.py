@@ -18,7 +18,8 @@ def write_palette_png(path, rows, palette):
     """rows: lists of indices into palette, a list of up to 256 (r, g, b), each 0 .. 255."""
 
     def chunk(kind, data):
-        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+        check = zlib.crc32(kind + data)
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", check)
 
     header = struct.pack(">IIBBBBB", len(rows[0]), len(rows), 8, 3, 0, 0, 0)
     pixels = b"".join(b"\0" + bytes(row) for row in rows)

@@ -6,7 +6,7 @@ from .shapes import Shape
 
 
 def read_obj(path, height):
-    """A Shape of the given height standing on y = 0, centred in x and z. ValueError if there is none."""
+    """A Shape of the given height on y = 0, centred in x and z. ValueError if there is none."""
     positions, normals, faces = [], [], []
     with open(path, encoding="utf-8", errors="replace") as file:
         for number, line in enumerate(file, 1):
@@ -17,7 +17,8 @@ def read_obj(path, height):
                 elif words[:1] == ["vn"]:
                     normals.append(tuple(float(x) for x in words[1:4]))
                 elif words[:1] == ["f"]:
-                    faces.append([_corner(word, len(positions), len(normals)) for word in words[1:]])
+                    counts = len(positions), len(normals)
+                    faces.append([_corner(word, *counts) for word in words[1:]])
             except (ValueError, IndexError) as error:
                 raise ValueError(f"line {number} is not understood: {error}") from None
     if not positions or not faces:
@@ -32,7 +33,7 @@ def read_obj(path, height):
 
 
 def _corner(word, positions, normals):
-    """(position, normal or None) of "7", "7/1", "7//3", "7/1/3"; negative numbers count backwards."""
+    """(position, normal or None) of "7", "7/1", "7//3", "7/1/3"; negative: from the end."""
     parts = word.split("/")
 
     def resolve(text, count):

@@ -1,7 +1,7 @@
 """The environment map: a light room with two windows and the sun through a third, scene-linear.
 
-Latitude-longitude as the server reads it: image centre +Z (towards the viewer), left quarter +X, right quarter -X, top
-row +Y.
+Latitude-longitude as the server reads it: image centre +Z (towards the viewer), left quarter +X,
+right quarter -X, top row +Y.
 """
 
 import math
@@ -30,7 +30,8 @@ def _mix(a, b, t):
 def _window(longitude, latitude, at, width, bottom, top):
     """1 inside a window of four panes, degrees."""
     x = (longitude - at + 180) % 360 - 180
-    inside = (_smooth(-width / 2 - 1, -width / 2 + 1, x) * (1 - _smooth(width / 2 - 1, width / 2 + 1, x)) *
+    half = width / 2
+    inside = (_smooth(-half - 1, -half + 1, x) * (1 - _smooth(half - 1, half + 1, x)) *
               _smooth(bottom - 1, bottom + 1, latitude) * (1 - _smooth(top - 1, top + 1, latitude)))
     bar = min(abs(x), abs(latitude - (bottom + top) / 2))
     return inside * _smooth(0.5, 1.5, bar)

@@ -1,4 +1,4 @@
-"""Triangle meshes by formula: positions, unit normals, texture coordinates, indices. Metres, +Y up."""
+"""Triangle meshes by formula: positions, unit normals, texture coordinates. Metres, +Y up."""
 
 import math
 
@@ -101,7 +101,8 @@ def cone(radius, height, segments):
         middle = 2 * math.pi * (i + 0.5) / segments
 
         def side(angle):
-            return (height / slant * math.sin(angle), radius / slant, height / slant * math.cos(angle))
+            out = height / slant
+            return (out * math.sin(angle), radius / slant, out * math.cos(angle))
 
         p, q = ((radius * math.sin(t), 0.0, radius * math.cos(t)) for t in (a, b))
         down = (0.0, -1.0, 0.0)
