@@ -1,6 +1,7 @@
 // amalgam-render: one frame without a network, by the same renderer as the server's.
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <opencv2/imgcodecs.hpp>
@@ -48,7 +49,7 @@ void add_options(CLI::App& app, Options& options) {
       "the image");
   app.add_option("--size", options.size, "WxH in pixels, without --camera-image: mid grey")
       ->default_str("640x480");
-  app.add_option("--output", options.output, "PNG to write the composite to");
+  app.add_option("--output", options.output, "picture to write the composite to: .png, or .jpg");
   tools::add_renderer_options(app, options.renderer);
   app.add_option("--dump", options.dump, "folder to write every buffer to, as EXR");
   app.add_option("--graph", options.graph, "file to write the frame graph to, for Graphviz");
@@ -59,13 +60,17 @@ void add_options(CLI::App& app, Options& options) {
   app.add_flag("--explain", options.explain, "print each pass, or why it was left out");
 }
 
-void write_png(const std::string& path, core::ImageRgb8 image) {
+void write_picture(const std::string& path, core::ImageRgb8 image) {
   cv::Mat rgb(image.height(), image.width(), CV_8UC3, image.data());
   cv::cvtColor(rgb, rgb, cv::COLOR_RGB2BGR);
-  std::vector<unsigned char> png;
-  cv::imencode(".png", rgb, png);
+  std::vector<unsigned char> encoded;
+  const std::string extension = std::filesystem::path(path).extension().string();
+  if (extension != ".png" && extension != ".jpg" && extension != ".jpeg") {
+    throw std::runtime_error(path + ": pictures are written as .png or .jpg");
+  }
+  cv::imencode(extension, rgb, encoded);
   std::ofstream file(path, std::ios::binary);
-  file.write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
+  file.write(reinterpret_cast<const char*>(encoded.data()), static_cast<std::streamsize>(encoded.size()));
   if (!file) throw std::runtime_error(path + ": cannot be written");
 }
 
@@ -88,7 +93,7 @@ void run(const Options& options) {
         renderer.render(view, input.frame, last && !options.dump.empty() ? &buffers : nullptr));
     if (!last) frames.back().pixels = {};
   }
-  if (!options.output.empty()) write_png(options.output, frames.back().pixels);
+  if (!options.output.empty()) write_picture(options.output, frames.back().pixels);
   if (!options.dump.empty()) frame::write_buffers(buffers, options.dump);
   if (!options.graph.empty() && !(std::ofstream(options.graph) << renderer.last_graph())) {
     throw std::runtime_error(options.graph + ": cannot be written");

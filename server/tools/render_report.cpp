@@ -51,7 +51,7 @@ void print_json(std::ostream& out, const std::vector<frame::FrameOutput>& frames
 
 void print_passes(std::ostream& out, const frame::FrameOutput& frame) {
   for (const frame::PassRecord& pass : frame.statistics.passes) {
-    out << std::left << std::setw(18) << pass.name;
+    out << std::left << std::setw(29) << pass.name;
     if (pass.ran) {
       const auto& stages = frame.statistics.stages;
       const auto time = std::find_if(stages.begin(), stages.end(), [&](const core::StageTime& s) {

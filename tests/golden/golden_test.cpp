@@ -1,0 +1,127 @@
+// Every buffer and the pass list of each scene of ours, against what was once looked at and found
+// right.
+//
+// AMALGAM_REFRESH_GOLDENS=1 writes them anew. A failure leaves actual, expected and difference as
+// EXR in the build folder.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "codec/exr.h"
+#include "frame/default_view.h"
+#include "frame/frame_renderer.h"
+#include "scene/gltf_loader.h"
+#include "support/compare_images.h"
+
+namespace amalgam {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kWidth = 64, kHeight = 48;
+const fs::path kExpected = AMALGAM_SOURCE_DIR "/tests/golden/expected";
+
+bool refresh() {
+  return std::getenv("AMALGAM_REFRESH_GOLDENS") != nullptr;
+}
+
+core::ImageRgb8 camera_image() {
+  core::ImageRgb8 image(kWidth, kHeight);
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      image.at(x, y) = core::Rgb8(100 + 2 * x, 220 - 2 * y, (x / 6 + y / 6) % 2 == 0 ? 90 : 160);
+    }
+  }
+  return image;
+}
+
+// A buffer as colours, and its alpha, if it has one, as another. Infinite depth becomes 0.
+std::map<std::string, core::ImageRgb32f> as_colors(const frame::FrameBuffers& buffers) {
+  std::map<std::string, core::ImageRgb32f> colors;
+  for (const auto& [name, buffer] : buffers) {
+    if (const auto* rgb = std::get_if<core::ImageRgb32f>(&buffer)) {
+      colors[name] = *rgb;
+    } else if (const auto* grey = std::get_if<core::Image32f>(&buffer)) {
+      core::ImageRgb32f image(grey->width(), grey->height());
+      for (std::size_t i = 0; i < grey->pixels().size(); ++i) {
+        const float value = grey->pixels()[i];
+        image.pixels()[i] = glm::vec3(std::isfinite(value) ? value : 0.0f);
+      }
+      colors[name] = std::move(image);
+    } else {
+      const auto& rgba = std::get<core::ImageRgba32f>(buffer);
+      core::ImageRgb32f color(rgba.width(), rgba.height()), alpha(rgba.width(), rgba.height());
+      for (std::size_t i = 0; i < rgba.pixels().size(); ++i) {
+        color.pixels()[i] = glm::vec3(rgba.pixels()[i]);
+        alpha.pixels()[i] = glm::vec3(rgba.pixels()[i].w);
+      }
+      colors[name] = std::move(color);
+      colors[name + "_alpha"] = std::move(alpha);
+    }
+  }
+  return colors;
+}
+
+std::string pass_list(const frame::FrameOutput& output) {
+  std::ostringstream text;
+  for (const frame::PassRecord& pass : output.statistics.passes) {
+    text << pass.name << ": " << (pass.ran ? "ran" : pass.reason) << "\n";
+  }
+  return text.str();
+}
+
+void check_text(const fs::path& path, const std::string& actual) {
+  if (refresh()) {
+    std::ofstream(path) << actual;
+    return;
+  }
+  std::stringstream expected;
+  expected << std::ifstream(path).rdbuf();
+  EXPECT_EQ(actual, expected.str()) << path;
+}
+
+class Golden : public testing::TestWithParam<const char*> {};
+
+TEST_P(Golden, BuffersAndPassListsAreTheSame) {
+  const std::string name = GetParam();
+  frame::RendererSettings settings;
+  settings.exposure = 0.5f;
+  frame::FrameRenderer renderer(
+      scene::load_scene(AMALGAM_SOURCE_DIR "/deploy/scenes/" + name + ".gltf"), settings);
+  frame::ViewState view({.camera = core::default_camera(kWidth, kHeight), .keep_pixels = true});
+  const frame::FrameInput input{camera_image(),
+                                {frame::default_pose(renderer.scene().world.marker)}};
+  frame::FrameBuffers buffers;
+  const frame::FrameOutput first = renderer.render(view, input, &buffers);
+  const frame::FrameOutput second = renderer.render(view, input);
+
+  const fs::path folder = kExpected / name;
+  if (refresh()) fs::create_directories(folder);
+  check_text(folder / "passes-first-frame.txt", pass_list(first));
+  check_text(folder / "passes-later-frame.txt", pass_list(second));
+  // Edges of objects and shadows may fall on the other side of a sample with another processor's
+  // arithmetic, so a single pixel may differ by anything; the mean tells a changed picture from a
+  // few such pixels.
+  const test_support::Tolerance tolerance{1e3, 2e-3, "edges fall otherwise on other processors"};
+  for (const auto& [buffer, image] : as_colors(buffers)) {
+    const fs::path file = folder / (buffer + ".exr");
+    if (refresh()) {
+      codec::write_exr(file, image);
+      continue;
+    }
+    ASSERT_TRUE(fs::exists(file)) << file;
+    EXPECT_EQ(test_support::check_images(name + "-" + buffer, image, codec::read_exr(file),
+                                         tolerance, AMALGAM_BINARY_DIR),
+              "");
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Golden, testing::Values("complex", "diffuse", "mirror"),
+                         [](const auto& parameter) { return std::string(parameter.param); });
+
+}  // namespace
+}  // namespace amalgam

@@ -1,0 +1,161 @@
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "codec/jpeg.h"
+#include "integration/programs/child_process.h"
+#include "support/test_data.h"
+
+namespace amalgam::tests {
+namespace {
+
+namespace fs = std::filesystem;
+using std::chrono::seconds;
+constexpr seconds kPatience(120);  // llvmpipe on a busy machine
+
+std::string scene_path(const std::string& name) {
+  return AMALGAM_SOURCE_DIR "/deploy/scenes/" + name + ".gltf";
+}
+
+// A folder for one test's files, gone with it.
+class Programs : public testing::Test {
+ protected:
+  Programs()
+      : folder_(fs::temp_directory_path() /
+                ("amalgam-programs-" + std::to_string(getpid()) + "-" +
+                 testing::UnitTest::GetInstance()->current_test_info()->name())) {
+    fs::create_directories(folder_);
+  }
+  ~Programs() override { fs::remove_all(folder_); }
+
+  static std::string read_file(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
+  // A picture without any marker.
+  fs::path write_plain_jpeg() const {
+    const auto jpeg = codec::encode_jpeg(core::ImageRgb8(320, 240, core::Rgb8(90, 120, 150)), 85);
+    const fs::path path = folder_ / "plain.jpg";
+    std::ofstream(path, std::ios::binary)
+        .write(reinterpret_cast<const char*>(jpeg.data()),
+               static_cast<std::streamsize>(jpeg.size()));
+    return path;
+  }
+
+  fs::path folder_;
+};
+
+// A server on ports of its own; ended by SIGTERM it must exit with 0.
+class Server {
+ public:
+  explicit Server(const std::string& scene)
+      : process_("amalgam-server", {"--scene", scene, "--listen", "127.0.0.1:0", "--admin",
+                                    "127.0.0.1:0", "--log-level", "warn"}) {
+    const std::string line = process_.read_line(kPatience);  // listening on A:P admin A:P
+    const std::string begin = "listening on ", middle = " admin ";
+    const std::size_t at = line.find(middle);
+    if (line.rfind(begin, 0) == 0 && at != std::string::npos) {
+      address_ = line.substr(begin.size(), at - begin.size());
+    }
+  }
+  const std::string& address() const { return address_; }
+  int end() {
+    process_.signal(SIGTERM);
+    return process_.wait(seconds(25));
+  }
+
+ private:
+  ChildProcess process_;
+  std::string address_;
+};
+
+nlohmann::json run_client(const Server& server, std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), {"--server", server.address(), "--json"});
+  ChildProcess client("amalgam-client", std::move(arguments));
+  const std::string text = client.read_all(kPatience);
+  EXPECT_EQ(client.wait(seconds(10)), 0) << text;
+  return nlohmann::json::parse(text, nullptr, false);
+}
+
+TEST_F(Programs, SyntheticFramesAreCompositedOrCounted) {
+  Server server(scene_path("complex"));
+  ASSERT_FALSE(server.address().empty());
+  const nlohmann::json summary =
+      run_client(server, {"--synthetic", "--size", "320x240", "--frames", "20", "--rate", "30",
+                          "--output", (folder_ / "out").string()});
+  ASSERT_TRUE(summary.is_object());
+  const auto& frames = summary["frames"];
+  EXPECT_EQ(frames["captured"], 20);
+  EXPECT_GT(frames["composited"].get<int>(), 0);
+  EXPECT_EQ(frames["composited"].get<int>() + frames["skipped_by_client"].get<int>() +
+                frames["skipped_by_server"].get<int>(),
+            20)
+      << summary;
+  int written = 0;
+  for (const auto& file : fs::directory_iterator(folder_ / "out")) {
+    const std::string bytes = read_file(file.path());
+    const core::ImageRgb8 image = codec::decode_jpeg(std::as_bytes(std::span(bytes)));
+    EXPECT_EQ(image.size(), glm::ivec2(320, 240));
+    ++written;
+  }
+  EXPECT_EQ(written, frames["composited"].get<int>());
+  EXPECT_EQ(server.end(), 0);
+}
+
+// The invariant, seen from outside: without a marker the bytes that went are the bytes that come.
+TEST_F(Programs, WithoutAMarkerTheBytesComeBack) {
+  Server server(scene_path("complex"));
+  ASSERT_FALSE(server.address().empty());
+  const fs::path picture = write_plain_jpeg();
+  const nlohmann::json summary =
+      run_client(server, {"--images", picture.string(), "--frames", "1", "--lockstep", "--output",
+                          (folder_ / "out").string()});
+  EXPECT_EQ(summary["frames"]["unchanged"], 1) << summary;
+  EXPECT_EQ(read_file(folder_ / "out" / "frame-000001.jpg"), read_file(picture));
+  EXPECT_EQ(server.end(), 0);
+}
+
+TEST_F(Programs, PhotographGetsItsObjects) {
+  const auto data = test_data();
+  if (!data) GTEST_SKIP() << "no test data beside the source folder";
+  const fs::path photographs = *data / "real_markers" / "opencv_contrib";
+  ChildProcess render(
+      "amalgam-render",
+      {"--scene", scene_path("complex"), "--camera-image",
+       (photographs / "singlemarkersoriginal.jpg").string(), "--calibration",
+       (photographs / "tutorial_camera_params.yml").string(), "--output",
+       (folder_ / "out.png").string(), "--dump", (folder_ / "d").string(), "--json"});
+  const nlohmann::json report = nlohmann::json::parse(render.read_all(kPatience), nullptr, false);
+  EXPECT_EQ(render.wait(seconds(10)), 0);
+  ASSERT_TRUE(report.is_object());
+  EXPECT_EQ(report["nonfinite"], 0);
+  EXPECT_FALSE(report["unchanged"].get<bool>());
+  EXPECT_GT(report["pixels"]["specular"].get<int>(), 1000);
+  EXPECT_GT(report["rays"]["refraction"].get<int>(), 1000);
+  EXPECT_TRUE(fs::exists(folder_ / "out.png"));
+  EXPECT_TRUE(fs::exists(folder_ / "d" / "mixed.exr"));
+}
+
+TEST_F(Programs, BadOptionsGiveOneLineAndAFailure) {
+  for (const auto& [program, arguments] :
+       std::vector<std::pair<std::string, std::vector<std::string>>>{
+           {"amalgam-server", {"--scene", "/nowhere.gltf"}},
+           {"amalgam-server", {"--listen", "nonsense"}},
+           {"amalgam-render", {"--samples", "7"}},
+           {"amalgam-render", {"--camera-image", "/nowhere.jpg"}},
+           {"amalgam-client",
+            {"--server", "127.0.0.1:1", "--synthetic", "--connect-timeout", "0.5"}}}) {
+    ChildProcess process(program, arguments);
+    process.read_all(kPatience);
+    EXPECT_GT(process.wait(kPatience), 0) << program << " " << arguments.front();
+  }
+}
+
+}  // namespace
+}  // namespace amalgam::tests
