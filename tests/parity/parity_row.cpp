@@ -7,12 +7,15 @@
 #include <sstream>
 
 #include "support/compare_images.h"
+#include "support/reference/relative_error.h"
 
 namespace amalgam::parity {
 namespace {
 
 using reference::Color;
+using reference::Grazing;
 using reference::ReferenceImages;
+using reference::relative_error;
 
 struct Rendered {
   frame::FrameBuffers buffers;
@@ -44,17 +47,6 @@ Color pixel_of(const frame::FrameBuffers& buffers, const std::string& name, int 
         return Color(Pixel(image.at(x, y)));
       },
       found->second);
-}
-
-double relative_error(const Color& actual, const Color& expected) {
-  double worst = 0.0;
-  for (glm::length_t c = 0; c < 3; ++c) {
-    const double error =
-        std::abs(actual[c] - expected[c]) / std::max(kDarkest, std::abs(expected[c]));
-    // A comparison with NaN is false, so that the negation lets it count.
-    if (!(error <= worst)) worst = std::isnan(error) ? reference::kInfinity : error;
-  }
-  return worst;
 }
 
 double traced_error(const frame::FrameBuffers& buffers, const ReferenceImages& expected, int x,
@@ -107,8 +99,9 @@ void compare_traced(const frame::FrameBuffers& buffers, const ReferenceImages& e
       if (!is_traced(expected, mode, x, y)) continue;
       ++row.traced;
       const double error = traced_error(buffers, expected, x, y);
-      if (expected.grazing.at(x, y) != 0) {
-        ++row.grazing;
+      const auto grazing = static_cast<Grazing>(expected.grazing.at(x, y));
+      if (grazing != Grazing::No) {
+        ++(grazing == Grazing::Edge ? row.edge : row.steep);
         row.traced_wrong_grazing += error > kTracedTolerance ? 1 : 0;
         continue;
       }
@@ -118,7 +111,8 @@ void compare_traced(const frame::FrameBuffers& buffers, const ReferenceImages& e
     }
   }
   row.traced_wrong = wrong.size();
-  row.traced_mean = sum / static_cast<double>(std::max<std::size_t>(1, row.traced - row.grazing));
+  row.traced_mean =
+      sum / static_cast<double>(std::max<std::size_t>(1, row.traced - row.edge - row.steep));
   std::sort(wrong.begin(), wrong.end(),
             [](const WrongPixel& a, const WrongPixel& b) { return a.error > b.error; });
   wrong.resize(std::min<std::size_t>(wrong.size(), 10));
@@ -150,16 +144,17 @@ const char* mode_name(frame::RendererMode mode) {
 
 ParityRow compare_with_reference(const ParityCase& parity_case, frame::RendererMode mode) {
   const ReferenceImages& expected = reference_images(parity_case);
-  const Rendered actual = render(parity_case, mode);
+  Rendered actual = render(parity_case, mode);
   ParityRow row;
   row.pixels = parity_case.camera_image.pixels().size();
   compare_traced(actual.buffers, expected, mode, row);
   compare_composites(actual.composite, expected, mode, row);
+  row.composite = std::move(actual.composite);
   return row;
 }
 
 std::string table_header() {
-  return "case              renderer  traced  grazing %  mean error  max error  wrong  "
+  return "case              renderer  traced   edge %  steep %  mean error  max error  wrong  "
          "wrong+grazing | composite mean  max  within 3 %  off, rasterised\n";
 }
 
@@ -169,12 +164,12 @@ std::string table_line(const ParityCase& parity_case, frame::RendererMode mode,
   std::ostringstream line;
   line << std::left << std::setw(18) << parity_case.name << std::setw(8) << mode_name(mode)
        << std::right << std::fixed << std::setw(8) << row.traced << std::setprecision(3)
-       << std::setw(11) << percent * static_cast<double>(row.grazing) << std::scientific
-       << std::setprecision(2) << std::setw(12) << row.traced_mean << std::setw(11)
-       << row.traced_maximum << std::setw(7) << row.traced_wrong << std::setw(15)
-       << row.traced_wrong_grazing << " | " << std::fixed << std::setprecision(4) << std::setw(14)
-       << row.composite_mean << std::setprecision(0) << std::setw(5) << row.composite_maximum
-       << std::setprecision(3) << std::setw(12)
+       << std::setw(9) << percent * static_cast<double>(row.edge) << std::setw(9)
+       << percent * static_cast<double>(row.steep) << std::scientific << std::setprecision(2)
+       << std::setw(12) << row.traced_mean << std::setw(11) << row.traced_maximum << std::setw(7)
+       << row.traced_wrong << std::setw(15) << row.traced_wrong_grazing << " | " << std::fixed
+       << std::setprecision(4) << std::setw(14) << row.composite_mean << std::setprecision(0)
+       << std::setw(5) << row.composite_maximum << std::setprecision(3) << std::setw(12)
        << 100.0 - percent * static_cast<double>(row.composite_wrong) << std::setw(17)
        << row.composite_wrong_rasterised << '\n';
   return line.str();

@@ -9,16 +9,16 @@
 namespace amalgam::parity {
 
 // A traced pixel agrees if every channel of I_m, I_e and, where M_v is 0, I_r (which eq. 4.5 uses
-// only there) is within this of the reference's, relative to it or to kDarkest if that is more.
+// only there) is within this of the reference's (support/reference/relative_error.h).
 constexpr double kTracedTolerance = 2e-3;
-constexpr double kDarkest =
-    0.01;  // scene-linear; at exposure 1 that is 1 % of display-linear white
 
 struct ParityRow {
   std::size_t pixels = 0;
   // Pixels that the tracer is responsible for, by the reference.
   std::size_t traced = 0;
-  std::size_t grazing = 0;               // of those: some ray grazes an edge
+  // Of those: left out of the comparison, see reference::Grazing.
+  std::size_t edge = 0;
+  std::size_t steep = 0;
   double traced_mean = 0.0;              // relative error, without grazing pixels
   double traced_maximum = 0.0;           // likewise
   std::size_t traced_wrong = 0;          // over tolerance, without grazing pixels
@@ -29,7 +29,9 @@ struct ParityRow {
   std::size_t composite_wrong = 0;             // pixels off by more than 3
   std::size_t composite_wrong_rasterised = 0;  // of those: rasterised
 
-  std::string worst;  // the worst pixels in words, for a failing test
+  // For a failing test: the worst pixels in words, and the picture.
+  std::string worst;
+  core::ImageRgb8 composite;
 };
 
 // mode: Hybrid (traced pixels are those of M_r) or Raytrace (all are).

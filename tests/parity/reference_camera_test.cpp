@@ -98,6 +98,11 @@ TEST(ReferenceCamera, NothingVirtualChangesNothingBehindALensEither) {
   EXPECT_EQ(setup.render().composite, setup.image);
 }
 
+double trust_at(const ClosedFormRig& rig, const CameraView& view, const Vec3& point,
+                const Vec3& facing) {
+  return look_up(rig.world(), view, point, facing).trust;
+}
+
 // Visible, hidden by something real, hidden by something virtual, behind the camera, seen from its
 // back.
 TEST(ReferenceCamera, LooksUpOnlyWhatTheCameraSees) {
@@ -107,14 +112,14 @@ TEST(ReferenceCamera, LooksUpOnlyWhatTheCameraSees) {
   const Vec3 point(0.1, 0.0, -1.03), up(0.0, 1.0, 0.0);
   ClosedFormRig floor;
   floor.add(make_floor(0.0f, 9.0f), make_diffuse(glm::vec3(0.5f)), Role::Real);
-  EXPECT_EQ(look_up(floor.world(), view, point, up).trust, 1.0);
-  EXPECT_EQ(look_up(floor.world(), view, point, -up).trust, 0.0);
-  EXPECT_EQ(look_up(floor.world(), view, {0.1, 0.0, 5.0}, up).trust, 0.0);   // behind
-  EXPECT_EQ(look_up(floor.world(), view, {5.0, 0.0, -1.0}, up).trust, 0.0);  // beside
+  EXPECT_EQ(trust_at(floor, view, point, up), 1.0);
+  EXPECT_EQ(trust_at(floor, view, point, -up), 0.0);
+  EXPECT_EQ(trust_at(floor, view, {0.1, 0.0, 5.0}, up), 0.0);   // behind
+  EXPECT_EQ(trust_at(floor, view, {5.0, 0.0, -1.0}, up), 0.0);  // beside
   for (const Role role : {Role::Real, Role::Virtual}) {
     ClosedFormRig hidden = floor;
     hidden.add(make_box({-0.2f, 0.3f, -0.9f}, {0.4f, 1.3f, -0.3f}), make_mirror(), role);
-    EXPECT_EQ(look_up(hidden.world(), view, point, up).trust, role == Role::Real ? 0.0 : 1.0);
+    EXPECT_EQ(trust_at(hidden, view, point, up), role == Role::Real ? 0.0 : 1.0);
   }
 }
 

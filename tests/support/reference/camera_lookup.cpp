@@ -30,16 +30,15 @@ double border_trust(const core::CameraModel& camera, const Vec2& pixel) {
 LookUp look_up(const World& world, const CameraView& view, const Vec3& point,
                const Vec3& facing_normal) {
   const glm::dmat4 world_from_camera = glm::inverse(view.camera_from_world);
-  const Vec3 to_camera = Vec3(world_from_camera[3]) - point;
-  if (!(glm::dot(to_camera, facing_normal) > 0.0)) return {};
+  const Vec3 eye(world_from_camera[3]);
+  const Vec3 way = eye - point;
+  if (!(glm::dot(way, facing_normal) > 0.0)) return {};
   const auto pixel = lens_project(view.camera, transform_point(view.camera_from_world, point));
   if (!pixel) return {};
   const double trust = border_trust(view.camera, *pixel);
   if (trust == 0.0) return {};
-  const double distance = glm::length(to_camera);
-  if (hidden_by_real_object(world, ray_from_surface(point, to_camera / distance, distance))) {
-    return {};
-  }
+  const double distance = glm::length(way);
+  if (hidden_by_real_object(world, ray_from_surface(point, way / distance, distance))) return {};
   return {trust, inverse_tone_map(sample_camera_image(*view.image, *pixel), view.exposure)};
 }
 

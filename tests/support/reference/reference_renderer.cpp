@@ -6,25 +6,24 @@
 #include <thread>
 
 #include "support/reference/lens.h"
+#include "support/reference/relative_error.h"
 
 namespace amalgam::reference {
 namespace {
 
-// How a pixel's rays are nudged to find out whether they graze an edge.
-struct Nudge {
-  Vec2 pixels{0.0};
-  double lift = 0.0;  // metres
-};
+// Radians, near enough: four roundings to float.
+constexpr double kNudge = 0x1p-22;
+const std::array<Vec2, 4> kNudges = {
+    {{-kNudge, -kNudge}, {kNudge, -kNudge}, {-kNudge, kNudge}, {kNudge, kNudge}}};
 
-constexpr double kPixelNudge = 1e-4;
-constexpr double kLiftNudge = 1.0 / 65536.0;
-const std::array<Nudge, 5> kNudges = {{
-    {{-kPixelNudge, -kPixelNudge}, 0.0},
-    {{kPixelNudge, -kPixelNudge}, 0.0},
-    {{-kPixelNudge, kPixelNudge}, 0.0},
-    {{kPixelNudge, kPixelNudge}, 0.0},
-    {{0.0, 0.0}, kLiftNudge},
-}};
+void note_grazing(std::uint8_t& pixel, Grazing grazing) {
+  pixel = std::max(pixel, static_cast<std::uint8_t>(grazing));
+}
+
+double change(const Sample& to, const Sample& from) {
+  return std::max({relative_error(to.mixed, from.mixed), relative_error(to.real, from.real),
+                   relative_error(to.environment_reflection, from.environment_reflection)});
+}
 
 class Rendering {
  public:
@@ -74,29 +73,30 @@ class Rendering {
       for (int i = 0; i < n; ++i) {
         const Vec2 position(x - 0.5 + (i + 0.5) / n, y - 0.5 + (j + 0.5) / n);
         Decisions decisions;
-        const Sample sample = trace(position, {}, decisions);
+        const Sample sample = trace(position, decisions);
         add_sample(images_.layers, x, y, sample, request_.exposure, 1.0 / (n * n));
         if (i == 0 && j == 0) keep(x, y, sample);
-        if (request_.find_grazing && grazes(position, decisions)) images_.grazing.at(x, y) = 1;
+        if (request_.find_grazing)
+          note_grazing(images_.grazing.at(x, y), grazing(position, sample, decisions));
       }
     }
   }
 
-  Sample trace(const Vec2& position, const Nudge& nudge, Decisions& decisions) const {
-    const Vec3 direction =
-        glm::dmat3(world_from_camera_) * pinhole_direction(ideal_, position + nudge.pixels);
-    Whitted::Inputs inputs = inputs_;
-    inputs.lift = nudge.lift;
+  Sample trace(const Vec2& position, Decisions& decisions) const {
+    const Vec3 direction = glm::dmat3(world_from_camera_) * pinhole_direction(ideal_, position);
     const Ray primary{Vec3(world_from_camera_[3]), glm::normalize(direction)};
-    return Whitted(inputs).trace(primary, decisions);
+    return Whitted(inputs_).trace(primary, decisions);
   }
 
-  bool grazes(const Vec2& position, const Decisions& decisions) const {
-    return std::any_of(kNudges.begin(), kNudges.end(), [&](const Nudge& nudge) {
-      Decisions nudged;
-      trace(position, nudge, nudged);
-      return nudged.signature() != decisions.signature();
-    });
+  Grazing grazing(const Vec2& position, const Sample& sample, const Decisions& decisions) const {
+    auto result = Grazing::No;
+    for (const Vec2& nudge : kNudges) {
+      Decisions nudged_decisions;
+      const Sample nudged = trace(position + nudge * Vec2(ideal_.fx, ideal_.fy), nudged_decisions);
+      if (nudged_decisions.signature() != decisions.signature()) return Grazing::Edge;
+      if (change(nudged, sample) > kSteep) result = Grazing::Steep;
+    }
+    return result;
   }
 
   void keep(int x, int y, const Sample& sample) {

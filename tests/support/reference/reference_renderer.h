@@ -16,6 +16,16 @@
 
 namespace amalgam::reference {
 
+// Whether a pixel's value is one that arithmetic in float can be held to. Asked by turning its
+// primary ray by 2^-22 (times the focal length: about 1e-4 of a pixel) in each diagonal direction,
+// which is what a few roundings to float may do to a hit point.
+enum class Grazing : std::uint8_t {
+  No,
+  Steep,  // the colour changes by more than kSteep: tangents of curved glass and mirrors
+  Edge,   // something else is decided on the way (decisions.h): what is met, what is cut off
+};
+constexpr double kSteep = 2e-3;  // relative_error.h
+
 struct ReferenceRequest {
   core::CameraModel camera;  // as the client has it, with distortion
   scene::AnchoredScene anchored;
@@ -24,7 +34,7 @@ struct ReferenceRequest {
   double exposure = 1.0;
   int samples_per_side = 1;
   TraceSettings settings;
-  bool find_grazing = false;  // costs five more renderings
+  bool find_grazing = false;  // costs four more renderings
 };
 
 // Geometry of the ideal camera except where said. The images of the thesis hold the first sample
@@ -35,11 +45,7 @@ struct ReferenceImages {
   core::Image<Color> environment_reflection;  // I_e
   core::Image<std::uint8_t> virtual_mask;     // M_v
   core::Image<std::uint8_t> specular_mask;    // M_r
-  // 1 where some sample grazes an edge: nudging its rays changes a decision of their tree
-  // (decisions.h). The nudges: each primary ray by 1e-4 of a pixel in each diagonal direction, and
-  // every other ray's start by 1/65536 m off its surface, the renderer's stated resolution limit
-  // near the origin (numerics B1, B2).
-  core::Image<std::uint8_t> grazing;
+  core::Image<std::uint8_t> grazing;          // a Grazing, the largest of the pixel's samples
   Layers layers;
   core::ImageRgb8 composite;  // the camera's own geometry
 };

@@ -89,8 +89,7 @@ void Whitted::add_diffuse(const Branch& branch, const Surface& surface, Collecto
   LookUp seen;
   // A primary ray's point is under the camera's pixel itself: the composite adds that.
   if (in_.camera_view != nullptr && branch.depth > 0) {
-    seen = look_up(in_.world, *in_.camera_view, start(surface, surface.geometric_normal),
-                   surface.geometric_normal);
+    seen = look_up(in_.world, *in_.camera_view, surface.hit.position, surface.geometric_normal);
     to.decisions.note(seen.trust > 0.0 ? 5 : 4);
   }
   const double f = seen.trust;
@@ -112,8 +111,7 @@ Whitted::Shaded Whitted::shade(const Surface& surface, Collector& to) const {
     const Color reflected_light =
         arrival.irradiance *
         reflected(phong, surface.shading_normal, arrival.to_light, surface.to_viewer);
-    const Shadow shadow =
-        cast_shadow_ray(in_.world, start(surface, arrival.to_light), arrival, to.decisions);
+    const Shadow shadow = cast_shadow_ray(in_.world, surface.hit.position, arrival, to.decisions);
     result.mixed += shadow.mixed * reflected_light;
     result.real += shadow.real * reflected_light;
   }
@@ -158,14 +156,9 @@ void Whitted::meet_glass(const Branch& branch, const Surface& surface, Collector
 }
 
 Whitted::Branch Whitted::child_of(const Branch& parent, const Surface& surface,
-                                  const Vec3& direction, const Color& share) const {
-  return {ray_from_surface(start(surface, direction), direction), parent.weight * share,
+                                  const Vec3& direction, const Color& share) {
+  return {ray_from_surface(surface.hit.position, direction), parent.weight * share,
           parent.depth + 1, parent.media};
-}
-
-Vec3 Whitted::start(const Surface& surface, const Vec3& direction) const {
-  const double side = glm::dot(direction, surface.geometric_normal) >= 0.0 ? 1.0 : -1.0;
-  return surface.hit.position + side * in_.lift * surface.geometric_normal;
 }
 
 }  // namespace amalgam::reference

@@ -36,9 +36,6 @@ class Whitted {
     const scene::Environment* environment = nullptr;  // null: black
     const CameraView* camera_view = nullptr;          // null: no look-ups
     TraceSettings settings;
-    // Metres that rays leaving a surface start above it: 0, unless it is to be found out whether
-    // such a nudge changes what they meet.
-    double lift = 0.0;
   };
 
   explicit Whitted(const Inputs& inputs) : in_(inputs) {}
@@ -79,9 +76,8 @@ class Whitted {
   void meet_mirror(const Branch& branch, const Surface& surface, Collector& to) const;
   void meet_thin_glass(const Branch& branch, const Surface& surface, Collector& to) const;
   void meet_glass(const Branch& branch, const Surface& surface, Collector& to) const;
-  Branch child_of(const Branch& parent, const Surface& surface, const Vec3& direction,
-                  const Color& share) const;
-  Vec3 start(const Surface& surface, const Vec3& direction) const;
+  static Branch child_of(const Branch& parent, const Surface& surface, const Vec3& direction,
+                         const Color& share);
 
   Inputs in_;
 };
