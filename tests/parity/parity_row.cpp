@@ -37,16 +37,14 @@ Rendered render(const ParityCase& parity_case, frame::RendererMode mode) {
   return result;
 }
 
-// One pixel of a buffer that may hold one, three or four channels; a missing buffer is black.
+// One pixel of a buffer of one or three channels; a missing buffer is black.
 Color pixel_of(const frame::FrameBuffers& buffers, const std::string& name, int x, int y) {
   const auto found = buffers.find(name);
   if (found == buffers.end()) return Color(0.0);
-  return std::visit(
-      [&](const auto& image) {
-        using Pixel = std::decay_t<decltype(image.at(x, y))>;
-        return Color(Pixel(image.at(x, y)));
-      },
-      found->second);
+  if (const auto* image = std::get_if<core::ImageRgb32f>(&found->second)) {
+    return Color(image->at(x, y));
+  }
+  return Color(static_cast<double>(std::get<core::Image32f>(found->second).at(x, y)));
 }
 
 double traced_error(const frame::FrameBuffers& buffers, const ReferenceImages& expected, int x,
