@@ -14,6 +14,7 @@
 #include "core/camera_model.h"
 #include "core/image.h"
 #include "core/pose.h"
+#include "core/provenance.h"
 #include "core/ray_counts.h"
 #include "core/timings.h"
 
@@ -45,6 +46,8 @@ struct FrameStatistics {
   std::vector<PassRecord> passes;
   core::RayCounts rays;
   PixelCounts pixels;
+  // Sums over pixels of the shares that light from each source has (core/provenance.h).
+  std::array<double, core::kLightSources> provenance{};
   std::uint64_t nonfinite = 0;  // values that a stage had to replace by 0
   float exposure = 1.0f;
 };

@@ -4,17 +4,22 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <utility>
 #include <variant>
+#include <vector>
 
 #include "core/image.h"
 
 namespace amalgam::frame {
 
-using BufferImage = std::variant<core::Image32f, core::ImageRgb32f, core::ImageRgba32f>;
+// Named channels, for what is neither grey nor a colour.
+using Channels = std::vector<std::pair<std::string, core::Image32f>>;
+using BufferImage = std::variant<core::Image32f, core::ImageRgb32f, core::ImageRgba32f, Channels>;
 
 // By name: mixed (I_m), real (I_r), environment_reflection (I_e), virtual_mask (M_v), tracing_mask
-// (M_r), real_depth, and the layers over (A with a) and difference (D). One sample a pixel, ideal
-// camera geometry. What the frame did not make is missing.
+// (M_r), real_depth, provenance (a channel a source, core/provenance.h), and the layers over (A
+// with a) and difference (D). One sample a pixel, ideal camera geometry. What the frame did not
+// make is missing.
 using FrameBuffers = std::map<std::string, BufferImage>;
 
 // Writes NAME.exr for each; makes the folder. Throws std::runtime_error.

@@ -42,12 +42,15 @@ FrameStatistics collect_statistics(const graph::FrameGraph& graph, const FramePa
   if (const trace::TraceResult* traced = graph.peek(frame.traced)) {
     statistics.rays = traced->rays;
     statistics.nonfinite += traced->nonfinite;
+    statistics.provenance = traced->provenance;
     statistics.pixels.virtual_pixels = traced->primary_virtual / samples;
     statistics.pixels.specular = traced->primary_specular / samples;
   }
   if (const passes::SampleCounts* counts = graph.peek(frame.mask.counts)) {
     statistics.pixels.virtual_pixels = counts->virtual_surface / samples;
     statistics.pixels.specular = counts->specular / samples;
+    statistics.provenance[static_cast<std::size_t>(core::LightSource::Raster)] +=
+        static_cast<double>(counts->surface - counts->specular) / static_cast<double>(samples);
   }
   if (const auto* nonfinite = graph.peek(frame.rasterised_nonfinite)) {
     statistics.nonfinite += *nonfinite;

@@ -42,6 +42,10 @@ void print_json(std::ostream& out, const std::vector<frame::FrameOutput>& frames
   json["pixels"] = {{"virtual", last.pixels.virtual_pixels},
                     {"specular", last.pixels.specular},
                     {"total", last.pixels.total}};
+  json["provenance"] = nlohmann::ordered_json::object();
+  for (std::size_t k = 0; k < core::kLightSources; ++k) {
+    json["provenance"][core::kLightSourceNames[k]] = last.provenance[k];
+  }
   json["nonfinite"] = last.nonfinite;
   json["exposure"] = last.exposure;
   json["unchanged"] = frames.back().unchanged;

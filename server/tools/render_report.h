@@ -9,7 +9,7 @@
 namespace amalgam::tools {
 
 // One JSON object: stages_ms (per stage, min and median over the frames), rays, passes, pixels,
-// nonfinite, exposure, unchanged.
+// provenance (pixels' shares by source of light), nonfinite, exposure, unchanged.
 void print_json(std::ostream& out, const std::vector<frame::FrameOutput>& frames);
 
 // Each pass with its time, or why it was left out.

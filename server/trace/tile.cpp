@@ -18,6 +18,10 @@ namespace {
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr std::size_t kBatchSize = 1024;
 
+float mean(const glm::vec3& weight) {
+  return (weight.x + weight.y + weight.z) / 3.0f;
+}
+
 float importance(const glm::vec3& weight) {
   return std::max({weight.x, weight.y, weight.z});
 }
@@ -110,7 +114,8 @@ void Tile::shade_hits() {
     if (!hits_[i]) {
       // Seen directly, nothing is there to draw: the camera image stays.
       if (item.kind != RayKind::Primary)
-        escaped_.push_back({item.ray.direction, item.weight, item.sample});
+        escaped_.push_back(
+            {core::LightSource::Environment, item.ray.direction, item.weight, item.sample});
       continue;
     }
     const SurfacePoint point = surface_point(request_.scene, *hits_[i], item.ray.direction);
@@ -201,7 +206,7 @@ void Tile::spawn(const RayItem& parent, const SurfacePoint& point, const glm::ve
   if (!(importance(weight) > 0.0f)) return;
   const bool deep = parent.depth + 1 > request_.settings.max_depth;
   if (deep || importance(weight) < request_.settings.importance_cutoff) {
-    escaped_.push_back({direction, weight, parent.sample});
+    escaped_.push_back({core::LightSource::CutOff, direction, weight, parent.sample});
     return;
   }
   const float leaves_to = glm::dot(direction, point.geometric_normal) >= 0.0f ? 1.0f : -1.0f;
@@ -217,8 +222,9 @@ void Tile::spawn(const RayItem& parent, const SurfacePoint& point, const glm::ve
 }
 
 void Tile::add_escaped() {
-  if (request_.environment == nullptr) return;
   for (const EscapedItem& item : escaped_) {
+    add_share(samples_[item.sample].provenance, item.source, mean(item.weight));
+    if (request_.environment == nullptr) continue;
     const glm::vec3 light =
         item.weight * scene::sample_environment(*request_.environment, item.direction);
     SampleResult& sample = samples_[item.sample];
@@ -261,7 +267,9 @@ void Tile::add_diffuse() {
   for (std::size_t d = 0; d < diffuse_.size(); ++d) {
     const DiffuseItem& item = diffuse_[d];
     if (item.point.role == scene::Role::Virtual) {
-      samples_[item.sample].mixed += item.weight * radiance_[d].mixed;
+      SampleResult& sample = samples_[item.sample];
+      sample.mixed += item.weight * radiance_[d].mixed;
+      add_share(sample.provenance, core::LightSource::TracedVirtual, mean(item.weight));
     } else {
       add_real_surface(item, radiance_[d]);
     }
@@ -273,16 +281,21 @@ void Tile::add_diffuse() {
 void Tile::add_real_surface(const DiffuseItem& item, const DiffuseRadiance& radiance) {
   SampleResult& sample = samples_[item.sample];
   glm::vec3 mixed = radiance.mixed, real = radiance.real;
+  float trust = 0.0f;
   if (!item.primary && lookup_ != nullptr) {
     if (const auto seen = lookup_->look_up(request_.scene, item.point, counts_.rays.lookup)) {
       const glm::vec3 changed =
           glm::max(seen->radiance + (radiance.mixed - radiance.real), glm::vec3(0.0f));
-      mixed = glm::mix(radiance.mixed, changed, seen->trust);
-      real = glm::mix(radiance.real, seen->radiance, seen->trust);
+      trust = seen->trust;
+      mixed = glm::mix(radiance.mixed, changed, trust);
+      real = glm::mix(radiance.real, seen->radiance, trust);
     }
   }
   sample.mixed += item.weight * mixed;
   sample.real += item.weight * real;
+  const float share = mean(item.weight);
+  add_share(sample.provenance, core::LightSource::CameraLookup, share * trust);
+  add_share(sample.provenance, core::LightSource::ModelledReal, share * (1.0f - trust));
 }
 
 }  // namespace amalgam::trace

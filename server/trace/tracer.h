@@ -11,6 +11,7 @@
 #include "core/camera_model.h"
 #include "core/image.h"
 #include "core/layers.h"
+#include "core/provenance.h"
 #include "core/ray_counts.h"
 #include "scene/environment.h"
 #include "scene/light.h"
@@ -52,13 +53,15 @@ struct TracedImages {
   core::ImageRgba32f
       real;  // I_r, scene-linear; alpha 1 where the camera sees a real diffuse surface directly
   core::ImageRgb32f environment_reflection;  // I_e, display-linear
+  core::Image<core::Provenance> provenance;  // mean over the pixel's samples
   core::Image<std::uint8_t> met_virtual;     // M_v
 };
 
 struct TraceResult {
   core::Layers layers;  // traced samples' share of each pixel; the rest is the rasteriser's
   core::RayCounts rays;
-  std::uint64_t nonfinite = 0;  // sample values replaced by 0
+  std::array<double, core::kLightSources> provenance{};  // shares summed over pixels
+  std::uint64_t nonfinite = 0;                           // sample values replaced by 0
   std::uint64_t traced_samples = 0;
   std::uint64_t primary_virtual = 0,
                 primary_specular = 0;  // traced samples whose first surface is so

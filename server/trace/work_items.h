@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "core/provenance.h"
 #include "trace/embree_scene.h"
 #include "trace/media.h"
 #include "trace/surface_point.h"
@@ -30,6 +31,7 @@ struct RayItem {
 
 // A ray that meets nothing any more, or is cut off: takes the environment in its direction.
 struct EscapedItem {
+  core::LightSource source = core::LightSource::Environment;  // or CutOff
   glm::vec3 direction{0.0f};
   glm::vec3 weight{0.0f};
   std::uint32_t sample = 0;
@@ -69,6 +71,7 @@ struct SampleResult {
   glm::vec3 real{0.0f};                    // I_r
   glm::vec3 environment_reflection{0.0f};  // I_e
   bool met_virtual = false;                // M_v, eq. 4.9
+  core::Provenance provenance{};           // shares of the sample's weight
 };
 
 }  // namespace amalgam::trace

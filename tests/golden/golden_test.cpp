@@ -39,19 +39,27 @@ core::ImageRgb8 camera_image() {
   return image;
 }
 
-// A buffer as colours, and its alpha, if it has one, as another. Infinite depth becomes 0.
+// Infinite depth becomes 0.
+core::ImageRgb32f as_grey(const core::Image32f& values) {
+  core::ImageRgb32f image(values.width(), values.height());
+  for (std::size_t i = 0; i < values.pixels().size(); ++i) {
+    const float value = values.pixels()[i];
+    image.pixels()[i] = glm::vec3(std::isfinite(value) ? value : 0.0f);
+  }
+  return image;
+}
+
+// A buffer as colours, and its alpha or channels, if it has any, as others.
 std::map<std::string, core::ImageRgb32f> as_colors(const frame::FrameBuffers& buffers) {
   std::map<std::string, core::ImageRgb32f> colors;
   for (const auto& [name, buffer] : buffers) {
     if (const auto* rgb = std::get_if<core::ImageRgb32f>(&buffer)) {
       colors[name] = *rgb;
     } else if (const auto* grey = std::get_if<core::Image32f>(&buffer)) {
-      core::ImageRgb32f image(grey->width(), grey->height());
-      for (std::size_t i = 0; i < grey->pixels().size(); ++i) {
-        const float value = grey->pixels()[i];
-        image.pixels()[i] = glm::vec3(std::isfinite(value) ? value : 0.0f);
-      }
-      colors[name] = std::move(image);
+      colors[name] = as_grey(*grey);
+    } else if (const auto* channels = std::get_if<frame::Channels>(&buffer)) {
+      for (const auto& [channel, values] : *channels)
+        colors[name + "_" + channel] = as_grey(values);
     } else {
       const auto& rgba = std::get<core::ImageRgba32f>(buffer);
       core::ImageRgb32f color(rgba.width(), rgba.height()), alpha(rgba.width(), rgba.height());

@@ -1,0 +1,32 @@
+// Where a pixel's light comes from: what makes the thesis's "missing information" (section 6.4) a
+// number.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace amalgam::core {
+
+enum class LightSource : std::uint8_t {
+  Raster,         // drawn by the rasteriser
+  TracedVirtual,  // a virtual diffuse surface at the end of a ray
+  CameraLookup,   // the camera's own colour of a real surface at the end of a ray
+  ModelledReal,   // a real surface as it is modelled: the camera does not see it
+  Environment,    // a ray that left the scene
+  CutOff,  // a ray ended by the depth limit or the importance cut-off: environment instead of what
+           // it would have met
+};
+inline constexpr std::size_t kLightSources = 6;
+inline constexpr std::array<const char*, kLightSources> kLightSourceNames{
+    "raster", "traced_virtual", "camera_lookup", "modelled_real", "environment", "cut_off"};
+
+// Shares by LightSource. A ray's share is the mean of its weight's channels, so that shares of a
+// sample sum to at most 1; what is missing was absorbed by coloured mirrors and glass.
+using Provenance = std::array<float, kLightSources>;
+
+inline void add_share(Provenance& provenance, LightSource source, float share) {
+  provenance[static_cast<std::size_t>(source)] += share;
+}
+
+}  // namespace amalgam::core
