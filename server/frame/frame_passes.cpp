@@ -112,9 +112,6 @@ FramePasses add_frame_passes(graph::FrameGraph& graph, const SceneResources& res
                              const FrameRequest& request) {
   FramePasses frame;
   const auto nothing = reason_for_nothing(resources, request.render_view);
-  graph.note_left_out("light extraction", resources.features.has_environment
-                                              ? "the environment has not changed"
-                                              : "no environment in the scene");
   frame.camera_image =
       passes::add_decode_pass(graph, request.input.image, request.render_view.camera);
   if (resources.raster != nullptr) {

@@ -70,9 +70,6 @@ class FrameRenderer::Impl {
         arena_(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic),
         owner_(std::this_thread::get_id()) {
     check_settings(settings);
-    if (scene_.environment) {
-      environment_lights_ = scene::extract_lights(*scene_.environment, settings.env_lights);
-    }
     const bool traces_all = settings.mode == RendererMode::Raytrace;
     if (traces_all || features_.has_specular) embree_.emplace(scene_);
     if (!traces_all) raster_.emplace(scene_);
@@ -86,14 +83,21 @@ class FrameRenderer::Impl {
     return output;
   }
 
+  void set_environment(scene::Environment environment) {
+    scene_.environment = std::move(environment);
+    features_ = scene::scene_features(scene_);
+    environment_changed_ = true;
+  }
+
   const scene::Scene& scene() const { return scene_; }
   const std::string& last_graph() const { return last_graph_; }
 
  private:
   FrameOutput render_in_arena(ViewState& view, const FrameInput& input, FrameBuffers* buffers) {
     const core::Stopwatch stopwatch;
-    const passes::RenderView render_view = make_render_view(view, input);
     graph::FrameGraph graph;
+    update_lights(graph);
+    const passes::RenderView render_view = make_render_view(view, input);
     const SceneResources resources{
         .scene = scene_,
         .features = features_,
@@ -110,6 +114,23 @@ class FrameRenderer::Impl {
     core::add_time(output.statistics.stages, "total", stopwatch.milliseconds());
     last_graph_ = graph.to_graphviz();
     return output;
+  }
+
+  // A pass like any other, but the only one that is asked for at once: what is drawn depends on how
+  // many lights there are.
+  void update_lights(graph::FrameGraph& graph) {
+    if (!scene_.environment || !environment_changed_) {
+      graph.note_left_out("light extraction", scene_.environment ? "the environment has not changed"
+                                                                 : "no environment in the scene");
+      return;
+    }
+    graph::Builder builder = graph.add_pass("light extraction");
+    const auto lights = builder.writes<std::vector<scene::Light>>("environment lights");
+    builder.runs([this, lights](const graph::Access& access) {
+      access.set(lights, scene::extract_lights(*scene_.environment, settings_.env_lights));
+    });
+    environment_lights_ = *graph.realise(lights);
+    environment_changed_ = false;
   }
 
   passes::RenderView make_render_view(const ViewState& view, const FrameInput& input) const {
@@ -147,6 +168,7 @@ class FrameRenderer::Impl {
   RendererSettings settings_;
   scene::Scene scene_;
   scene::SceneFeatures features_;
+  bool environment_changed_ = true;
   std::vector<scene::Light> environment_lights_;
   std::optional<trace::EmbreeScene> embree_;
   std::optional<Raster> raster_;
@@ -162,6 +184,10 @@ FrameRenderer::~FrameRenderer() = default;
 
 FrameOutput FrameRenderer::render(ViewState& view, const FrameInput& input, FrameBuffers* buffers) {
   return impl_->render(view, input, buffers);
+}
+
+void FrameRenderer::set_environment(scene::Environment environment) {
+  impl_->set_environment(std::move(environment));
 }
 
 const scene::Scene& FrameRenderer::scene() const {

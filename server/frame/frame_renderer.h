@@ -23,6 +23,10 @@ class FrameRenderer {
   // Throws codec::JpegError if the camera image cannot be used. buffers: filled if given.
   FrameOutput render(ViewState& view, const FrameInput& input, FrameBuffers* buffers = nullptr);
 
+  // Replaces the scene's environment for all views, from the next frame on; its lights are
+  // extracted then, and only then.
+  void set_environment(scene::Environment environment);
+
   const scene::Scene& scene() const;
   // The last frame's graph in Graphviz's language.
   const std::string& last_graph() const;

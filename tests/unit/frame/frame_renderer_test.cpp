@@ -68,7 +68,9 @@ TEST(FrameRenderer, WithoutPosesTheBytesComeBack) {
   const FrameOutput output = render(scene, input);
   EXPECT_TRUE(output.unchanged);
   EXPECT_EQ(output.jpeg, std::get<Bytes>(input.image));
-  for (const PassRecord& record : output.statistics.passes) EXPECT_FALSE(record.ran) << record.name;
+  for (const PassRecord& record : output.statistics.passes) {
+    EXPECT_EQ(record.ran, record.name == "light extraction") << record.name;  // once, at first
+  }
 }
 
 TEST(FrameRenderer, WithoutVirtualObjectsTheBytesComeBack) {
@@ -190,6 +192,28 @@ TEST(FrameRenderer, SecondFrameRedrawsNoShadowMap) {
   EXPECT_EQ(pass(second, "shadow maps, virtual opaque").reason,
             "nothing moved since the last frame");
   EXPECT_EQ(first.jpeg, second.jpeg);
+}
+
+TEST(FrameRenderer, LightsFollowTheEnvironmentAndOnlyIt) {
+  scene::Scene scene = table();
+  add_box(scene, test_support::make_diffuse(glm::vec3(0.5f)));
+  RendererSettings settings;
+  settings.exposure = 1.0f;
+  FrameRenderer renderer(scene, settings);
+  ViewState view({.camera = core::default_camera(kWidth, kHeight), .keep_pixels = true});
+  const FrameInput input{stripes(), {default_pose(kMarker)}};
+  const FrameOutput bright = renderer.render(view, input);
+  EXPECT_TRUE(pass(bright, "light extraction").ran);
+  EXPECT_EQ(pass(renderer.render(view, input), "light extraction").reason,
+            "the environment has not changed");
+  renderer.set_environment({core::ImageRgb32f(16, 8, glm::vec3(0.1f)), false});
+  const FrameOutput dark = renderer.render(view, input);
+  EXPECT_TRUE(pass(dark, "light extraction").ran);
+  EXPECT_TRUE(pass(dark, "shadow maps, virtual opaque").ran) << "made for other lights";
+  const auto middle = glm::ivec2(kWidth / 2, kHeight / 2);
+  EXPECT_LT(dark.pixels.at(middle.x, middle.y).y, bright.pixels.at(middle.x, middle.y).y);
+  EXPECT_EQ(pass(renderer.render(view, input), "light extraction").reason,
+            "the environment has not changed");
 }
 
 TEST(FrameRenderer, BuffersAreThoseOfTheThesis) {
