@@ -1,47 +1,19 @@
 #include "client/calibration.h"
 
 #include <cmath>
-#include <fstream>
 #include <opencv2/core.hpp>
 #include <opencv2/core/persistence.hpp>
-#include <opencv2/core/utility.hpp>
-#include <sstream>
 #include <stdexcept>
+
+#include "client/opencv_file.h"
 
 namespace amalgam::client {
 namespace {
 
-constexpr std::size_t kMaxFileBytes = 1 << 20;  // a calibration has a few kB, even with its points
 constexpr int kTiltedCoefficients = 14;  // OpenCV's longest model: 12 of ours and 2 of a tilt
 
-// OpenCV prints every error before it throws it; the message is ours to print, once.
-class QuietOpenCv {
- public:
-  QuietOpenCv() : previous_(cv::redirectError(ignore)) {}
-  ~QuietOpenCv() { cv::redirectError(previous_); }
-  QuietOpenCv(const QuietOpenCv&) = delete;
-  QuietOpenCv& operator=(const QuietOpenCv&) = delete;
-
- private:
-  static int ignore(int, const char*, const char*, const char*, int, void*) { return 0; }
-  cv::ErrorCallback previous_;
-};
-
 [[noreturn]] void fail(const std::filesystem::path& file, const std::string& what) {
-  throw std::runtime_error("calibration " + file.string() + ": " + what);
-}
-
-std::string read_text(const std::filesystem::path& file) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) fail(file, "no such file");
-  std::ifstream in(file, std::ios::binary);
-  std::string text(kMaxFileBytes + 1, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (in.bad() || (!in && !in.eof())) fail(file, "cannot be read");
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  if (text.empty()) fail(file, "is empty or cannot be read");
-  if (text.size() > kMaxFileBytes) fail(file, "is larger than 1 MiB, so not a calibration");
-  return text;
+  fail_file("calibration", file, what);
 }
 
 cv::Mat read_matrix(const cv::FileStorage& storage, const char* key,
@@ -118,7 +90,7 @@ std::string size_text(int width, int height) {
 }  // namespace
 
 core::CameraModel load_calibration(const std::filesystem::path& file) {
-  const std::string text = read_text(file);
+  const std::string text = read_small_text("calibration", file);
   const QuietOpenCv quiet;
   core::CameraModel camera;
   try {

@@ -22,18 +22,9 @@ cv::Mat to_grey(const cv::Mat& image, cv::ColorConversionCodes from_colour) {
   return grey;
 }
 
-double area(const SquareCorners& corners) {
-  double twice = 0.0;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const glm::dvec2 &a = corners[i], &b = corners[(i + 1) % corners.size()];
-    twice += a.x * b.y - a.y * b.x;
-  }
-  return std::abs(twice) / 2.0;
-}
-
 struct Candidate {
   const DetectedMarker* marker = nullptr;
-  std::vector<SquareSolution> solutions;
+  std::vector<PoseSolution> solutions;
 };
 
 // Among markers of one id: the one nearest to where it was, or the largest if that is not known.
@@ -58,6 +49,7 @@ MarkerTracker::MarkerTracker(const TrackerOptions& options, const core::CameraMo
   if (const std::string defect = core::describe_defect(camera); !defect.empty()) {
     throw std::runtime_error("markers cannot be tracked: " + defect);
   }
+  if (options.board) board_.emplace(placed_on(*options.board, options.world_marker), camera);
 }
 
 std::vector<DetectedMarker> MarkerTracker::detect(const cv::Mat& image) const {
@@ -81,8 +73,8 @@ std::vector<DetectedMarker> MarkerTracker::detect_grey(const cv::Mat& grey) cons
   cv::aruco::detectMarkers(grey, dictionary_, corners, ids, parameters_);
   std::vector<DetectedMarker> found;
   for (std::size_t i = 0; i < ids.size(); ++i) {
-    const auto& wanted = options_.ids;
-    if (!wanted.empty() && std::ranges::find(wanted, ids[i]) == wanted.end()) continue;
+    const bool on_board = board_ && board_->board().find(ids[i]) != nullptr;
+    if (!is_of_interest(ids[i]) && !on_board) continue;
     DetectedMarker marker{.id = ids[i], .corners = {}};
     for (std::size_t c = 0; c < 4; ++c) marker.corners[c] = {corners[i][c].x, corners[i][c].y};
     if (options_.refine_corners) {
@@ -93,14 +85,33 @@ std::vector<DetectedMarker> MarkerTracker::detect_grey(const cv::Mat& grey) cons
   return found;
 }
 
+bool MarkerTracker::is_of_interest(int id) const {
+  return options_.ids.empty() || std::ranges::find(options_.ids, id) != options_.ids.end();
+}
+
 std::vector<core::MarkerPose> MarkerTracker::track_grey(const cv::Mat& grey) {
   if (grey.cols != camera_.width || grey.rows != camera_.height) {
     throw std::invalid_argument("the image has another size than the camera");
   }
-  const std::uint64_t frame = ++counts_.images;
+  ++counts_.images;
   const std::vector<DetectedMarker> detected = detect_grey(grey);
+  std::map<int, core::MarkerPose> of_id = single_poses(detected);
+  if (board_) add_board_poses(detected, of_id);
+  std::vector<core::MarkerPose> poses;
+  for (const auto& [id, pose] : of_id) {
+    poses.push_back(pose);
+    poses.back().marker = id;
+  }
+  counts_.poses += poses.size();
+  return poses;
+}
+
+std::map<int, core::MarkerPose> MarkerTracker::single_poses(
+    const std::vector<DetectedMarker>& detected) {
   std::map<int, std::vector<Candidate>> candidates;
   for (const DetectedMarker& marker : detected) {
+    // A board's markers may have another length, and are not asked one by one.
+    if (board_ && board_->board().find(marker.id) != nullptr) continue;
     auto solutions = solve_square(marker.corners, options_.marker_length, camera_);
     if (solutions.empty()) {
       ++counts_.unsolved;
@@ -108,18 +119,29 @@ std::vector<core::MarkerPose> MarkerTracker::track_grey(const cv::Mat& grey) {
       candidates[marker.id].push_back({&marker, std::move(solutions)});
     }
   }
-  std::vector<core::MarkerPose> poses;
+  std::map<int, core::MarkerPose> poses;
   for (const auto& [id, of_id] : candidates) {
     counts_.repeated += of_id.size() - 1;
     PoseMemory& memory = memories_[id];
-    const Candidate& chosen = pick(of_id, memory.previous(frame));
-    if (auto pose = memory.choose(chosen.solutions, frame)) {
-      pose->marker = id;
-      poses.push_back(*pose);
-    }
+    const Candidate& chosen = pick(of_id, memory.previous(counts_.images));
+    if (const auto pose = memory.choose(chosen.solutions, counts_.images)) poses[id] = *pose;
   }
-  counts_.poses += poses.size();
   return poses;
+}
+
+void MarkerTracker::add_board_poses(const std::vector<DetectedMarker>& detected,
+                                    std::map<int, core::MarkerPose>& poses) {
+  const BoardTracker::Tracked tracked = board_->track(detected, counts_.images);
+  counts_.repeated += tracked.repeated;
+  counts_.board_outliers += tracked.outliers;
+  if (!tracked.pose) return;
+  ++counts_.board_poses;
+  for (const BoardMarker& marker : board_->board().markers) {
+    if (is_of_interest(marker.id)) poses[marker.id] = pose_of(marker, *tracked.pose);
+  }
+  if (is_of_interest(options_.world_marker) && options_.world_marker >= 0) {
+    poses[options_.world_marker] = *tracked.pose;
+  }
 }
 
 }  // namespace amalgam::client

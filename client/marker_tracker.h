@@ -1,16 +1,19 @@
 // Finds ArUco markers in camera images and says where they are, frame after frame.
 //
-// Poses are camera_from_marker (core/pose.h). A marker that is not seen has no entry: holding a
-// last good pose is the server's. Used by one thread at a time.
+// Poses are camera_from_marker (core/pose.h). A marker that is not seen has no entry, unless it
+// belongs to a board of which others are seen: holding a last good pose is the server's. Used by
+// one thread at a time.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <map>
 #include <opencv2/aruco.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "client/board_tracker.h"
 #include "client/pose_memory.h"
 #include "client/square_pose.h"
 #include "core/camera_model.h"
@@ -24,18 +27,19 @@ struct TrackerOptions {
   double marker_length = 0.05;              // metres, side of the black square
   std::vector<int> ids{};                   // markers of interest; empty: all of the dictionary
   bool refine_corners = true;               // to fractions of a pixel; poses want it
-};
-
-struct DetectedMarker {
-  int id = 0;
-  SquareCorners corners{};
+  // Markers that are fixed to one another. Theirs are the poses that all of them together give, and
+  // the world marker's too, whether it is part of the board or not: see placed_on().
+  std::optional<MarkerBoard> board{};
+  int world_marker = -1;  // of interest with a board only
 };
 
 struct TrackerCounts {
   std::uint64_t images = 0;
   std::uint64_t poses = 0;
-  std::uint64_t repeated = 0;  // further markers with an id that the image held already: ignored
-  std::uint64_t unsolved = 0;  // markers found whose corners gave no usable pose
+  std::uint64_t repeated = 0;     // further markers with an id that the image held already: ignored
+  std::uint64_t unsolved = 0;     // markers found whose corners gave no usable pose
+  std::uint64_t board_poses = 0;  // images in which the board had a pose
+  std::uint64_t board_outliers = 0;  // markers of the board that contradicted its others
 };
 
 class MarkerTracker {
@@ -44,11 +48,11 @@ class MarkerTracker {
   // camera with a defect.
   MarkerTracker(const TrackerOptions& options, const core::CameraModel& camera);
 
-  // Every marker of interest in a BGR or grey 8-bit image, repeated ids included.
+  // Every marker of interest or of the board in a BGR or grey 8-bit image, repeated ids included.
   std::vector<DetectedMarker> detect(const cv::Mat& image) const;
 
-  // One pose for each marker id, in ascending order of ids. The image must have the camera's size;
-  // throws std::invalid_argument if it has not.
+  // One pose for each marker of interest, in ascending order of ids. The image must have the
+  // camera's size; throws std::invalid_argument if it has not.
   std::vector<core::MarkerPose> track(const cv::Mat& image);
   std::vector<core::MarkerPose> track(const core::ImageRgb8& image);
 
@@ -57,12 +61,17 @@ class MarkerTracker {
  private:
   std::vector<core::MarkerPose> track_grey(const cv::Mat& grey);
   std::vector<DetectedMarker> detect_grey(const cv::Mat& grey) const;
+  bool is_of_interest(int id) const;
+  std::map<int, core::MarkerPose> single_poses(const std::vector<DetectedMarker>& detected);
+  void add_board_poses(const std::vector<DetectedMarker>& detected,
+                       std::map<int, core::MarkerPose>& poses);
 
   TrackerOptions options_;
   core::CameraModel camera_;
   cv::Ptr<cv::aruco::Dictionary> dictionary_;
   cv::Ptr<cv::aruco::DetectorParameters> parameters_;
   std::map<int, PoseMemory> memories_;
+  std::optional<BoardTracker> board_;
   TrackerCounts counts_;
 };
 

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <stdexcept>
 
+#include "client/board_description.h"
 #include "protocol/limits.h"
 
 namespace amalgam::client {
@@ -15,6 +16,17 @@ std::optional<int> parse_number(std::string_view text, int low, int high) {
   if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
   if (value < low || value > high) return std::nullopt;
   return value;
+}
+
+struct BoardTexts {
+  std::string file, grid, charuco;
+};
+
+std::optional<MarkerBoard> read_board(const BoardTexts& texts) {
+  if (!texts.file.empty()) return load_board(texts.file);
+  if (!texts.grid.empty()) return parse_grid_board(texts.grid);
+  if (!texts.charuco.empty()) return parse_charuco_board(texts.charuco);
+  return std::nullopt;
 }
 
 // Turns what a parser throws into CLI11's complaint about the option.
@@ -30,6 +42,34 @@ CLI::Validator checked_by(Parser parser) {
         }
       },
       {});
+}
+
+void add_markers(CLI::App& app, BoardTexts& board, std::string& smoothing) {
+  auto* group = app.add_option_group(
+      "board",
+      "at most one of; its pose is sent as the world marker's. If the world marker is one "
+      "of the board's, that lies at its own place, otherwise in the board's middle or "
+      "where the file has its origin");
+  group
+      ->add_option("--board", board.file,
+                   "layout of markers that are fixed to one another (.yml, .json)")
+      ->type_name("FILE");
+  group
+      ->add_option("--grid", board.grid,
+                   "OpenCV's grid board: markers along both sides, marker and gap in metres")
+      ->type_name("CxR:MARKER:GAP[:FIRST_ID]")
+      ->check(checked_by(parse_grid_board));
+  group
+      ->add_option("--charuco", board.charuco,
+                   "OpenCV's ChArUco board: squares along both sides, square and marker in metres")
+      ->type_name("CxR:SQUARE:MARKER[:FIRST_ID]")
+      ->check(checked_by(parse_charuco_board));
+  group->require_option(0, 1);
+  app.add_option("--smooth", smoothing,
+                 "One-Euro smoothing of poses: cut-off at rest in Hz, and by how many Hz it rises "
+                 "for each m/s and each rad/s (default 0)")
+      ->type_name("MINCUTOFF[:BETA]")
+      ->check(checked_by(parse_smoothing));
 }
 
 void add_source(CLI::App& app, Options& options) {
@@ -76,6 +116,27 @@ void set_server(const std::string& text, ConnectionOptions& connection) {
   connection.port = port;
 }
 
+OneEuroOptions parse_smoothing(const std::string& text) {
+  OneEuroOptions options;
+  const char* const end = text.data() + text.size();
+  auto result = std::from_chars(text.data(), end, options.min_cutoff);
+  bool good = result.ec == std::errc();
+  if (good && result.ptr != end) {
+    good = *result.ptr == ':';
+    if (good) result = std::from_chars(result.ptr + 1, end, options.beta);
+    good = good && result.ec == std::errc() && result.ptr == end;
+  }
+  constexpr double kMaxCutoff = 1000.0;  // Hz; also what makes infinities fail
+  good = good && options.min_cutoff > 0 && options.min_cutoff <= kMaxCutoff && options.beta >= 0 &&
+         options.beta <= kMaxCutoff;
+  if (!good) {
+    throw std::runtime_error("'" + text +
+                             "' is not MINCUTOFF[:BETA] with 0 < MINCUTOFF <= 1000 "
+                             "and 0 <= BETA <= 1000");
+  }
+  return options;
+}
+
 cv::Size parse_size(const std::string& text) {
   constexpr int kMax = static_cast<int>(protocol::kMaxSide);
   const std::size_t x = text.find('x');
@@ -97,7 +158,8 @@ std::optional<Options> parse_options(int argc, const char* const* argv, int& exi
   app.failure_message([](const CLI::App*, const CLI::Error& error) {
     return std::string("amalgam-client: ") + error.what() + " (--help lists the options)\n";
   });
-  std::string server = "127.0.0.1:7447", size, synthetic_poses = "detected";
+  std::string server = "127.0.0.1:7447", size, synthetic_poses = "detected", smoothing;
+  BoardTexts board;
   double connect_timeout = 5.0;
   const auto check_server = [](const std::string& text) {
     ConnectionOptions ignored;
@@ -114,6 +176,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv, int& exi
       ->type_name("FILE");
   add_source(app, options);
   add_sink(app, options);
+  add_markers(app, board, smoothing);
   app.add_option("--calibration", options.calibration,
                  "OpenCV calibration file (.yml); without it 60 degrees of width are assumed")
       ->type_name("FILE");
@@ -157,6 +220,8 @@ std::optional<Options> parse_options(int argc, const char* const* argv, int& exi
   options.connection.connect_timeout =
       std::chrono::milliseconds(static_cast<std::int64_t>(connect_timeout * 1000.0));
   if (!size.empty()) options.size = parse_size(size);
+  if (!smoothing.empty()) options.viewer.smoothing = parse_smoothing(smoothing);
+  options.viewer.board = read_board(board);
   options.true_poses = synthetic_poses == "true";
   return options;
 }

@@ -41,6 +41,9 @@ std::optional<Options> parse_options(int argc, const char* const* argv, int& exi
 // "host:port" or "[address]:port". Throws std::runtime_error.
 void set_server(const std::string& text, ConnectionOptions& connection);
 
+// "MINCUTOFF[:BETA]" of a One-Euro filter. Throws std::runtime_error.
+OneEuroOptions parse_smoothing(const std::string& text);
+
 // "800x600" in pixels. Throws std::runtime_error.
 cv::Size parse_size(const std::string& text);
 

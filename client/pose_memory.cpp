@@ -7,14 +7,14 @@ std::optional<core::MarkerPose> PoseMemory::previous(std::uint64_t frame) const 
   return previous_;
 }
 
-std::optional<core::MarkerPose> PoseMemory::choose(std::span<const SquareSolution> solutions,
+std::optional<core::MarkerPose> PoseMemory::choose(std::span<const PoseSolution> solutions,
                                                    std::uint64_t frame) {
   if (solutions.empty()) return std::nullopt;
-  const SquareSolution* chosen = &solutions[0];
+  const PoseSolution* chosen = &solutions[0];
   const auto last = previous(frame);
   if (!last) frames_against_ = 0;
   if (last && solutions.size() > 1) {
-    const SquareSolution& second = solutions[1];
+    const PoseSolution& second = solutions[1];
     const bool first_is_nearer = angle_between(last->rotation, chosen->pose.rotation) <=
                                  angle_between(last->rotation, second.pose.rotation);
     const bool clear = second.error > kClearRatio * chosen->error;

@@ -11,7 +11,7 @@
 #include <optional>
 #include <span>
 
-#include "client/square_pose.h"
+#include "client/pose_solution.h"
 
 namespace amalgam::client {
 
@@ -19,7 +19,7 @@ class PoseMemory {
  public:
   // The chosen solution's pose, remembered as the previous one; nothing if there are no solutions.
   // frame counts images, not detections: a memory older than kMaxAge images is dropped.
-  std::optional<core::MarkerPose> choose(std::span<const SquareSolution> solutions,
+  std::optional<core::MarkerPose> choose(std::span<const PoseSolution> solutions,
                                          std::uint64_t frame);
 
   // The pose chosen last, unless it is too old by this frame.

@@ -2,8 +2,39 @@
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 namespace amalgam::client {
+namespace {
+
+constexpr double kMilli = 1e3;
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+std::string smoothing_text(const SmoothingReport& report) {
+  char text[240];
+  std::snprintf(text, sizeof text,
+                "smoothing  jitter %.3f -> %.3f mm, %.3f -> %.3f degrees; lag %.0f ms in position, "
+                "%.0f ms in rotation\n",
+                report.position.raw_jitter * kMilli, report.position.smoothed_jitter * kMilli,
+                report.rotation.raw_jitter / kDegree, report.rotation.smoothed_jitter / kDegree,
+                report.position.lag * kMilli, report.rotation.lag * kMilli);
+  return text;
+}
+
+nlohmann::ordered_json smoothing_json(const std::optional<SmoothingReport>& report) {
+  if (!report) return nullptr;
+  return {{"poses", report->poses},
+          {"position",
+           {{"jitter_mm", report->position.raw_jitter * kMilli},
+            {"smoothed_jitter_mm", report->position.smoothed_jitter * kMilli},
+            {"lag_ms", report->position.lag * kMilli}}},
+          {"rotation",
+           {{"jitter_degrees", report->rotation.raw_jitter / kDegree},
+            {"smoothed_jitter_degrees", report->rotation.smoothed_jitter / kDegree},
+            {"lag_ms", report->rotation.lag * kMilli}}}};
+}
+
+}  // namespace
 
 std::string summary_text(const ViewerSummary& summary) {
   const FrameCounts& frames = summary.frames;
@@ -19,7 +50,13 @@ std::string summary_text(const ViewerSummary& summary) {
   text += std::string(latency) + " (capture to composite)\n";
   text += "markers    " + number(summary.markers.poses) + " poses in " +
           number(summary.markers.images) + " images, " + number(summary.markers.repeated) +
-          " repeated, " + number(summary.markers.unsolved) + " unsolved\n";
+          " repeated, " + number(summary.markers.unsolved) + " unsolved";
+  if (summary.markers.board_poses + summary.markers.board_outliers > 0) {
+    text += "; board seen in " + number(summary.markers.board_poses) + " images, " +
+            number(summary.markers.board_outliers) + " of its markers left out";
+  }
+  text += "\n";
+  if (summary.smoothing) text += smoothing_text(*summary.smoothing);
   text += "connection " + number(summary.reconnects) + " reconnects, " +
           number(summary.server_errors) + " errors";
   if (!summary.last_error.empty()) text += ", last: " + summary.last_error;
@@ -44,7 +81,10 @@ std::string summary_json(const ViewerSummary& summary) {
                                      {{"images", summary.markers.images},
                                       {"poses", summary.markers.poses},
                                       {"repeated", summary.markers.repeated},
-                                      {"unsolved", summary.markers.unsolved}}},
+                                      {"unsolved", summary.markers.unsolved},
+                                      {"board_images", summary.markers.board_poses},
+                                      {"board_outliers", summary.markers.board_outliers}}},
+                                    {"smoothing", smoothing_json(summary.smoothing)},
                                     {"reconnects", summary.reconnects},
                                     {"server_errors", summary.server_errors},
                                     {"last_error", summary.last_error},

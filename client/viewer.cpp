@@ -25,7 +25,9 @@ Viewer::Viewer(const ViewerOptions& options, const core::CameraModel& camera, Ca
       source_(source),
       sink_(sink),
       connection_(connection),
-      stop_(stop) {}
+      stop_(stop) {
+  if (options.smoothing) smoother_.emplace(*options.smoothing);
+}
 
 ViewerSummary Viewer::run() {
   if (wait_for_welcome()) {
@@ -37,6 +39,7 @@ ViewerSummary Viewer::run() {
   summary_.frames = ledger_.counts();
   summary_.latency = ledger_.latency();
   if (tracker_) summary_.markers = tracker_->counts();
+  if (smoother_) summary_.smoothing = smoother_->report();
   return summary_;
 }
 
@@ -77,8 +80,9 @@ void Viewer::finish() {
 void Viewer::send(const CapturedFrame& frame) {
   const std::uint64_t id = ++last_id_;
   ledger_.captured(id, frame.captured_at);
-  const std::vector<core::MarkerPose> poses =
+  std::vector<core::MarkerPose> poses =
       frame.true_poses ? *frame.true_poses : tracker_->track(frame.bgr);
+  if (smoother_) poses = smoother_->smooth(std::move(poses), frame.captured_at);
   std::string bytes = protocol::encode(frame_message(id, frame, poses));
   if (const auto replaced = connection_.send(id, std::move(bytes))) ledger_.skipped(*replaced);
 }
@@ -91,15 +95,18 @@ bool Viewer::handle_next(milliseconds timeout) {
 }
 
 void Viewer::handle(Welcomed& event) {
-  if (tracker_) {
-    ++summary_.reconnects;
-    return;
-  }
+  if (tracker_) ++summary_.reconnects;
   const protocol::Markers& markers = event.welcome.markers();
+  // Only another scene makes the tracker forget what it knows.
+  const std::string as_text = markers.SerializeAsString();
+  if (tracker_ && as_text == markers_) return;
+  markers_ = as_text;
   TrackerOptions options;
   options.dictionary = markers.dictionary();
   options.marker_length = markers.length();
   options.ids.assign(markers.ids().begin(), markers.ids().end());
+  options.board = options_.board;
+  options.world_marker = markers.world_marker();
   tracker_.emplace(options, camera_);
 }
 

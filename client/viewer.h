@@ -9,20 +9,25 @@
 #include "client/connection.h"
 #include "client/frame_ledger.h"
 #include "client/frame_sink.h"
+#include "client/marker_board.h"
 #include "client/marker_tracker.h"
+#include "client/pose_smoother.h"
 
 namespace amalgam::client {
 
 struct ViewerOptions {
-  std::uint64_t frames = 0;  // to capture; 0: until the source ends
-  double rate = 30.0;        // frames a second, of sources that have no time of their own
-  bool lockstep = false;     // wait for the answer to each frame before the next
+  std::uint64_t frames = 0;            // to capture; 0: until the source ends
+  double rate = 30.0;                  // frames a second, of sources that have no time of their own
+  bool lockstep = false;               // wait for the answer to each frame before the next
+  std::optional<MarkerBoard> board{};  // stands for the world marker: see TrackerOptions
+  std::optional<OneEuroOptions> smoothing{};  // of all poses that are sent
 };
 
 struct ViewerSummary {
   FrameCounts frames;
   LatencySummary latency;  // milliseconds
   TrackerCounts markers;
+  std::optional<SmoothingReport> smoothing;
   std::uint64_t reconnects = 0;
   std::uint64_t server_errors = 0;  // Error messages that the session survived
   std::string last_error;           // the last of these, or why the connection was given up
@@ -61,6 +66,8 @@ class Viewer {
   Connection& connection_;
   const std::atomic<bool>& stop_;
   std::optional<MarkerTracker> tracker_;  // once the server has said what to look for
+  std::string markers_;                   // what that was, as it came
+  std::optional<PoseSmoother> smoother_;
   FrameLedger ledger_;
   ViewerSummary summary_;
   std::uint64_t last_id_ = 0;

@@ -65,7 +65,7 @@ TEST(SquarePose, NonsenseGivesNothingOrSomethingUsable) {
       {{{10, 10}, {20, 20}, {20, 10}, {10, 20}}},  // crossed
   };
   for (const SquareCorners& corners : nonsense) {
-    for (const SquareSolution& solution : solve_square(corners, kLength, camera)) {
+    for (const PoseSolution& solution : solve_square(corners, kLength, camera)) {
       EXPECT_TRUE(core::is_usable(solution.pose));
     }
   }
@@ -132,8 +132,8 @@ TEST(PoseMemory, FlipsSeldomerThanTheBetterSolutionAlone) {
   EXPECT_LT(all.with, 0.2 * all.without);
 }
 
-SquareSolution solution(double degrees, double error) {
-  SquareSolution made;
+PoseSolution solution(double degrees, double error) {
+  PoseSolution made;
   made.pose.rotation = glm::angleAxis(glm::radians(degrees), glm::dvec3(1, 0, 0));
   made.error = error;
   return made;
@@ -146,14 +146,14 @@ double degrees_of(const std::optional<core::MarkerPose>& pose) {
 TEST(PoseMemory, TakesTheBetterOneWithoutAPast) {
   PoseMemory memory;
   EXPECT_FALSE(memory.choose({}, 1));
-  const std::vector<SquareSolution> both{solution(30, 0.2), solution(60, 0.21)};
+  const std::vector<PoseSolution> both{solution(30, 0.2), solution(60, 0.21)};
   EXPECT_NEAR(degrees_of(memory.choose(both, 1)), 30, 1e-9);
 }
 
 TEST(PoseMemory, KeepsItsSideWhileErrorsAreAlike) {
   PoseMemory memory;
   memory.choose(std::vector{solution(30, 0.1), solution(60, 1.0)}, 1);
-  const std::vector<SquareSolution> swapped{solution(60, 0.20), solution(30, 0.39)};
+  const std::vector<PoseSolution> swapped{solution(60, 0.20), solution(30, 0.39)};
   for (std::uint64_t frame = 2; frame < 20; ++frame) {
     EXPECT_NEAR(degrees_of(memory.choose(swapped, frame)), 30, 1e-9);
   }
@@ -162,8 +162,8 @@ TEST(PoseMemory, KeepsItsSideWhileErrorsAreAlike) {
 TEST(PoseMemory, SwitchesOnClearEvidenceInSeveralFrames) {
   PoseMemory memory;
   memory.choose(std::vector{solution(30, 0.1), solution(60, 1.0)}, 1);
-  const std::vector<SquareSolution> clear{solution(60, 0.1), solution(30, 0.3)};
-  const std::vector<SquareSolution> alike{solution(60, 0.1), solution(30, 0.15)};
+  const std::vector<PoseSolution> clear{solution(60, 0.1), solution(30, 0.3)};
+  const std::vector<PoseSolution> alike{solution(60, 0.1), solution(30, 0.15)};
   EXPECT_NEAR(degrees_of(memory.choose(clear, 2)), 30, 1e-9);
   EXPECT_NEAR(degrees_of(memory.choose(alike, 3)), 30, 1e-9);  // begins anew
   EXPECT_NEAR(degrees_of(memory.choose(clear, 4)), 30, 1e-9);
@@ -174,7 +174,7 @@ TEST(PoseMemory, SwitchesOnClearEvidenceInSeveralFrames) {
 TEST(PoseMemory, SwitchesAtOnceOnOverwhelmingEvidence) {
   PoseMemory memory;
   memory.choose(std::vector{solution(30, 0.1), solution(60, 1.0)}, 1);
-  const std::vector<SquareSolution> sure{solution(60, 0.1), solution(30, 1.5)};
+  const std::vector<PoseSolution> sure{solution(60, 0.1), solution(30, 1.5)};
   EXPECT_NEAR(degrees_of(memory.choose(sure, 2)), 60, 1e-9);
 }
 
@@ -184,7 +184,7 @@ TEST(PoseMemory, ForgetsWhatIsLongAgo) {
   EXPECT_TRUE(memory.previous(1 + PoseMemory::kMaxAge));
   const std::uint64_t later = 2 + PoseMemory::kMaxAge;
   EXPECT_FALSE(memory.previous(later));
-  const std::vector<SquareSolution> swapped{solution(60, 0.2), solution(30, 0.3)};
+  const std::vector<PoseSolution> swapped{solution(60, 0.2), solution(30, 0.3)};
   EXPECT_NEAR(degrees_of(memory.choose(swapped, later)), 60, 1e-9);
 }
 

@@ -1,0 +1,56 @@
+// Smooths the poses of all markers before they are sent, and measures what that costs and brings.
+//
+// Each marker has its own One-Euro filters, for its position and its rotation in the camera's
+// frame. A marker that was away for longer than kMaxGap begins anew.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "client/motion_figures.h"
+#include "client/one_euro.h"
+#include "core/pose.h"
+
+namespace amalgam::client {
+
+struct SmoothingReport {
+  std::uint64_t poses = 0;
+  MotionFigures position;  // metres, seconds
+  MotionFigures rotation;  // radians, seconds
+};
+
+class PoseSmoother {
+ public:
+  using Time = std::chrono::steady_clock::time_point;
+  static constexpr std::chrono::milliseconds kMaxGap{250};  // as long as a server holds a pose
+
+  explicit PoseSmoother(const OneEuroOptions& options) : options_(options) {}
+
+  // The poses of one image, captured at this time. Times that do not advance leave poses raw.
+  std::vector<core::MarkerPose> smooth(std::vector<core::MarkerPose> poses, Time captured_at);
+
+  SmoothingReport report() const;
+
+ private:
+  struct Step {  // from one value to the next
+    glm::dvec3 raw, smoothed;
+  };
+  struct Track {
+    OneEuroPosition position;
+    OneEuroRotation rotation;
+    core::MarkerPose raw, smoothed;  // the last
+    std::optional<Step> moved, turned;
+    Time at;
+  };
+  void follow(Track& track, core::MarkerPose& pose, Time captured_at);
+
+  OneEuroOptions options_;
+  std::map<int, Track> tracks_;
+  MotionMeter positions_, rotations_;
+  std::uint64_t poses_ = 0;
+};
+
+}  // namespace amalgam::client
