@@ -18,9 +18,12 @@ constexpr std::size_t kCandidates = 5;         // the wrong marker is among thos
 
 using Markers = std::vector<SeenBoardMarker>;
 
-bool faces_camera(const BoardMarker& marker, const glm::dmat4& camera_from_board) {
-  const glm::dmat4 camera_from_marker = camera_from_board * frame_of(marker);
-  return glm::dot(glm::dvec3(camera_from_marker[2]), glm::dvec3(camera_from_marker[3])) < 0;
+bool shows_faces(const Markers& markers, const core::MarkerPose& pose) {
+  const glm::dmat4 camera_from_board = core::to_matrix(pose);
+  return std::ranges::all_of(markers, [&](const SeenBoardMarker& seen) {
+    const glm::dmat4 camera_from_marker = camera_from_board * frame_of(*seen.marker);
+    return glm::dot(glm::dvec3(camera_from_marker[2]), glm::dvec3(camera_from_marker[3])) < 0;
+  });
 }
 
 // Root mean square over the corners of all these markers.
@@ -45,7 +48,9 @@ bool is_flat(const std::vector<cv::Point3d>& points) {
   return singular.at<double>(2) < 1e-2 * singular.at<double>(0);
 }
 
+// start: pixels for the closed form; pixels: for refining.
 std::vector<PoseSolution> solve_ideal(const std::vector<cv::Point3d>& points,
+                                      const std::vector<cv::Point2d>& start,
                                       const std::vector<cv::Point2d>& pixels,
                                       const Markers& markers, const core::CameraModel& camera) {
   const cv::Matx33d intrinsics = intrinsic_matrix(camera);
@@ -53,18 +58,13 @@ std::vector<PoseSolution> solve_ideal(const std::vector<cv::Point3d>& points,
   std::vector<cv::Mat> rotations, translations;
   std::vector<PoseSolution> solutions;
   try {
-    cv::solvePnPGeneric(points, pixels, intrinsics, cv::noArray(), rotations, translations, false,
+    cv::solvePnPGeneric(points, start, intrinsics, cv::noArray(), rotations, translations, false,
                         method);
     for (std::size_t i = 0; i < rotations.size(); ++i) {
       cv::solvePnPRefineLM(points, pixels, intrinsics, cv::noArray(), rotations[i],
                            translations[i]);
       auto solution = make_solution(rotations[i], translations[i], 0.0);
-      if (!solution) continue;
-      const glm::dmat4 camera_from_board = core::to_matrix(solution->pose);
-      const auto faces = [&](const SeenBoardMarker& seen) {
-        return faces_camera(*seen.marker, camera_from_board);
-      };
-      if (!std::ranges::all_of(markers, faces)) continue;
+      if (!solution || !shows_faces(markers, solution->pose)) continue;
       solution->error = error_of(markers, solution->pose, camera);
       if (std::isfinite(solution->error)) solutions.push_back(*solution);
     }
@@ -82,16 +82,14 @@ std::vector<PoseSolution> solve(const Markers& markers, const core::CameraModel&
     for (const glm::dvec3& p : marker.marker->corners) points.emplace_back(p.x, p.y, p.z);
     seen.insert(seen.end(), marker.corners.begin(), marker.corners.end());
   }
-  auto pixels = ideal_pixels(seen, camera);
+  const auto pixels = ideal_pixels(seen, camera);
   if (!pixels) return {};
-  auto solutions = solve_ideal(points, *pixels, markers, camera);
-  if (solutions.empty()) {
-    // As in solve_square(): a board that faces the camera exactly.
-    constexpr double kNudge = 1e-3;  // pixels
-    pixels->front().x += kNudge;
-    solutions = solve_ideal(points, *pixels, markers, camera);
-  }
-  return solutions;
+  // A board that faces the camera exactly is a turn by pi, where OpenCV's conversion to a rotation
+  // vector divides by 0. The closed form is kept away from there; refining makes good for it.
+  constexpr double kNudge = 1e-2;  // pixels
+  auto start = *pixels;
+  start.front().x += kNudge;
+  return solve_ideal(points, start, *pixels, markers, camera);
 }
 
 struct Removal {

@@ -1,6 +1,6 @@
 // Which poses of a frame may be rendered with: the usable ones, and for a marker whose pose is
-// unusable the last good one as long as it is fresh, so that one bad value does not make an object
-// blink.
+// unusable or missing the last good one as long as it is fresh, so that neither a bad value nor a
+// marker lost for a moment makes an object blink.
 #pragma once
 
 #include <chrono>
@@ -18,6 +18,8 @@ class PoseMemory {
   explicit PoseMemory(std::chrono::milliseconds hold) : hold_(hold) {}
 
   struct Resolved {
+    // In the frame's order, then those held in ascending order of markers; one for each marker,
+    // the first usable one.
     std::vector<core::MarkerPose> poses;
     std::vector<int> rejected;  // markers whose pose is unusable, whether held or not
   };
@@ -28,9 +30,10 @@ class PoseMemory {
     core::MarkerPose pose;
     Time seen;
   };
+  void forget_oldest();
+
   std::chrono::milliseconds hold_;
-  std::map<int, Held>
-      last_good_;  // never older than hold_, hence no larger than some frames' poses
+  std::map<int, Held> last_good_;  // never older than hold_, never more than fit into a frame
 };
 
 }  // namespace amalgam::net

@@ -2,7 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <limits>
+#include <thread>
 #include <vector>
 
 #include "protocol/limits.h"
@@ -159,6 +161,35 @@ TEST(Conversation, ABadPoseIsToldAndTheLastGoodOneHeld) {
   ASSERT_EQ(composite.poses_size(), 1);
   EXPECT_EQ(composite.poses(0).marker(), 40);
   EXPECT_EQ(composite.poses(0).translation().z(), 0.75);
+}
+
+TEST(Conversation, ALostMarkerIsHeldAndThenTheImageComesBackUnchanged) {
+  net::ServerConfig config = test_config();
+  config.session.pose_hold = std::chrono::milliseconds(2000);  // the machine may be slow
+  TestServer server(config);
+  TestClient client = server.session();
+  const auto seen = std::chrono::steady_clock::now();
+  Envelope frame = frame_message(1);
+  add_pose(frame, 40, 0.75);
+  client.send(frame);
+  EXPECT_FALSE(client.expect(Envelope::kComposite).composite().unchanged());
+
+  client.send(frame_message(2));  // no pose, no error
+  const protocol::Composite held = client.expect(Envelope::kComposite).composite();
+  EXPECT_FALSE(held.unchanged());
+  ASSERT_EQ(held.poses_size(), 1);
+  EXPECT_EQ(held.poses(0).translation().z(), 0.75);
+
+  std::uint64_t id = 2;
+  protocol::Composite composite = held;
+  while (composite.poses_size() > 0) {
+    ASSERT_LT(++id, 300u) << "held for ever";
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    client.send(frame_message(id));
+    composite = client.expect(Envelope::kComposite).composite();
+  }
+  EXPECT_TRUE(composite.unchanged());
+  EXPECT_GE(std::chrono::steady_clock::now() - seen, config.session.pose_hold);
 }
 
 TEST(Conversation, WhatOneFrameDidWrongDoesNotEndTheSession) {
