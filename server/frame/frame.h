@@ -36,9 +36,12 @@ struct PassRecord {
   bool operator==(const PassRecord&) const = default;
 };
 
+// Of the camera image, or of the ideal image if the lens distorts.
 struct PixelCounts {
-  std::uint64_t virtual_pixels = 0, specular = 0,
-                total = 0;  // of the camera image, or of the ideal image if the lens distorts
+  std::uint64_t virtual_pixels = 0;
+  std::uint64_t specular = 0;
+  std::uint64_t refined = 0;  // taken again with more samples (adaptive sampling)
+  std::uint64_t total = 0;
 };
 
 struct FrameStatistics {

@@ -45,7 +45,7 @@ passes::TraceInputs trace_inputs(const SceneResources& resources, const FrameReq
           .keep_images = request.keep_buffers,
           .specular = frame.mask.specular,
           .mask = frame.mask.mask,
-          .scene = {},
+          .scene = frame.placed,
           .camera_image = frame.camera_image,
           .exposure = frame.exposure,
           .real_depth = frame.real_depth};
@@ -73,18 +73,14 @@ void add_hybrid_passes(graph::FrameGraph& graph, const SceneResources& resources
   frame.rasterised = resolved.layers;
   frame.rasterised_nonfinite = resolved.nonfinite;
 
-  if (resources.embree == nullptr) {
+  if (!resources.features.has_specular) {
     graph.note_left_out("real depth", "no specular object in the scene");
-    graph.note_left_out("place instances", "no specular object in the scene");
     graph.note_left_out("trace", "no specular object in the scene");
     return;
   }
   frame.real_depth =
       passes::add_real_depth_pass(graph, {raster, view, device_view, frame.mask.specular}).depth;
-  passes::TraceInputs trace = trace_inputs(resources, request, frame);
-  trace.scene =
-      passes::add_place_instances_pass(graph, frame.mask.specular, view, *resources.embree);
-  frame.traced = passes::add_trace_pass(graph, trace);
+  frame.traced = passes::add_trace_pass(graph, trace_inputs(resources, request, frame));
 }
 
 // Trace every sample.
@@ -95,15 +91,24 @@ void add_raytrace_passes(graph::FrameGraph& graph, const SceneResources& resourc
   frame.mask.specular = nothing
                             ? graph.absent<passes::SpecularSamples>("samples to trace", *nothing)
                             : graph.import("samples to trace", passes::SpecularSamples{});
-  const auto placed =
-      passes::add_place_instances_pass(graph, frame.mask.specular, view, *resources.embree);
   const auto& environment = resources.scene.environment;
   const auto grid = passes::add_traced_meter_pass(
-      graph, {.view = view, .environment = environment ? &*environment : nullptr, .scene = placed});
+      graph,
+      {.view = view, .environment = environment ? &*environment : nullptr, .scene = frame.placed});
   frame.exposure = passes::add_exposure_pass(graph, exposure_inputs(request, frame, grid));
-  passes::TraceInputs trace = trace_inputs(resources, request, frame);
-  trace.scene = placed;
-  frame.traced = passes::add_trace_pass(graph, trace);
+  frame.traced = passes::add_trace_pass(graph, trace_inputs(resources, request, frame));
+}
+
+// Nine samples where one was not enough.
+void add_refinement(graph::FrameGraph& graph, const SceneResources& resources,
+                    const FrameRequest& request, FramePasses& frame) {
+  if (!request.settings.adaptive_threshold) return;
+  const auto refined =
+      passes::add_refine_pass(graph, {.trace = trace_inputs(resources, request, frame),
+                                      .threshold = *request.settings.adaptive_threshold,
+                                      .base = frame.layers});
+  frame.layers = refined.layers;
+  frame.refinement = refined.statistics;
 }
 
 }  // namespace
@@ -114,12 +119,18 @@ FramePasses add_frame_passes(graph::FrameGraph& graph, const SceneResources& res
   const auto nothing = reason_for_nothing(resources, request.render_view);
   frame.camera_image =
       passes::add_decode_pass(graph, request.input.image, request.render_view.camera);
+  if (resources.embree != nullptr) {
+    frame.placed = passes::add_place_instances_pass(graph, request.render_view, *resources.embree);
+  } else {
+    graph.note_left_out("place instances", "no specular object in the scene");
+  }
   if (resources.raster != nullptr) {
     add_hybrid_passes(graph, resources, request, nothing, frame);
   } else {
     add_raytrace_passes(graph, resources, request, nothing, frame);
   }
   frame.layers = passes::add_merge_pass(graph, {frame.rasterised, frame.traced});
+  add_refinement(graph, resources, request, frame);
   auto layers = frame.layers;
   if (request.view.warp_map) {
     layers = passes::add_warp_pass(graph, frame.layers, *request.view.warp_map);

@@ -13,6 +13,7 @@
 #include "passes/diffuse.h"
 #include "passes/encode.h"
 #include "passes/mask.h"
+#include "passes/refine.h"
 #include "passes/shadow_maps.h"
 #include "passes/trace.h"
 #include "scene/features.h"
@@ -40,13 +41,15 @@ struct FrameRequest {
 struct FramePasses {
   graph::Handle<passes::CameraImage> camera_image;
   graph::Handle<float> exposure;
+  graph::Handle<passes::PlacedScene> placed;
   passes::MaskOutputs mask;
   passes::DiffuseOutputs diffuse;
   graph::Handle<passes::RealDepth> real_depth;
   graph::Handle<passes::Layers> rasterised;
   graph::Handle<std::uint64_t> rasterised_nonfinite;
   graph::Handle<trace::TraceResult> traced;
-  graph::Handle<passes::Layers> layers;  // merged, ideal geometry
+  graph::Handle<passes::Refinement> refinement;
+  graph::Handle<passes::Layers> layers;  // merged and refined, ideal geometry
   graph::Handle<passes::Composite> composite;
   graph::Handle<passes::EncodedImage> encoded;
 };

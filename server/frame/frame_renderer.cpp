@@ -52,6 +52,11 @@ FrameStatistics collect_statistics(const graph::FrameGraph& graph, const FramePa
     statistics.provenance[static_cast<std::size_t>(core::LightSource::Raster)] +=
         static_cast<double>(counts->surface - counts->specular) / static_cast<double>(samples);
   }
+  if (const passes::Refinement* refinement = graph.peek(frame.refinement)) {
+    statistics.rays += refinement->rays;
+    statistics.pixels.refined = refinement->pixels;
+    statistics.nonfinite += refinement->nonfinite;
+  }
   if (const auto* nonfinite = graph.peek(frame.rasterised_nonfinite)) {
     statistics.nonfinite += *nonfinite;
   }
@@ -71,7 +76,8 @@ class FrameRenderer::Impl {
         owner_(std::this_thread::get_id()) {
     check_settings(settings);
     const bool traces_all = settings.mode == RendererMode::Raytrace;
-    if (traces_all || features_.has_specular) embree_.emplace(scene_);
+    if (traces_all || features_.has_specular || settings.adaptive_threshold)
+      embree_.emplace(scene_);
     if (!traces_all) raster_.emplace(scene_);
   }
 

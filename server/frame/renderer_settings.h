@@ -19,15 +19,23 @@ enum class RendererMode {
 // Throws std::invalid_argument naming the choices.
 RendererMode parse_renderer_mode(std::string_view text);
 
+inline constexpr float kDefaultAdaptiveThreshold = 0.03f;
+
 struct RendererSettings {
   RendererMode mode = RendererMode::Hybrid;
   int samples_per_pixel = 1;  // 1, 4, 9 or 16
+  // Set: one sample a pixel, and nine where neighbours differ by more than this (display-linear).
+  std::optional<float> adaptive_threshold;
   trace::TraceSettings trace;
   scene::EnvLightOptions env_lights;
   std::optional<float> exposure;  // none: metered on the real surfaces in view
   int threads = 0;                // for tracing; 0: all cores
   int jpeg_quality = 90;          // 1..100, where a client wants the default
 };
+
+// "1", "4", "9", "16", "adaptive" or "adaptive:THRESHOLD", threshold in (0, 1]. Throws
+// std::invalid_argument.
+void parse_samples(std::string_view text, RendererSettings& settings);
 
 // Throws std::invalid_argument for what cannot be rendered with.
 void check_settings(const RendererSettings& settings);

@@ -6,7 +6,6 @@
 namespace amalgam::passes {
 
 graph::Handle<PlacedScene> add_place_instances_pass(graph::FrameGraph& graph,
-                                                    graph::Handle<SpecularSamples> specular,
                                                     const RenderView& view,
                                                     trace::EmbreeScene& scene) {
   if (scene.is_placed(view.scene)) {
@@ -14,13 +13,39 @@ graph::Handle<PlacedScene> add_place_instances_pass(graph::FrameGraph& graph,
     return graph.import("placed scene", PlacedScene{&scene});
   }
   graph::Builder builder = graph.add_pass("place instances");
-  builder.needs(specular);
   const auto out = builder.writes<PlacedScene>("placed scene");
   builder.runs([out, &view, &scene](const graph::Access& access) {
     scene.place(view.scene);
     access.set(out, PlacedScene{&scene});
   });
   return out;
+}
+
+trace::TraceResult trace_samples(const TraceInputs& in, const graph::Access& access,
+                                 const TracedSamples& samples) {
+  const RealDepth* real_depth = access.find(in.real_depth);
+  const trace::CameraView lookup{
+      .camera = in.view.camera,
+      .camera_from_world = in.view.scene.camera_from_world,
+      .image = &access.get(in.camera_image).pixels,
+      .exposure = access.get(in.exposure),
+      .ideal = in.view.ideal,
+      .real_depth = real_depth != nullptr ? &real_depth->z : nullptr,
+  };
+  return trace::trace({
+      .scene = *access.get(in.scene).scene,
+      .lights = in.view.lights,
+      .environment = in.environment,
+      .camera = in.view.ideal,
+      .camera_from_world = in.view.scene.camera_from_world,
+      .samples_per_side = samples.per_side,
+      .mask = samples.flags,
+      .mask_bit = samples.bit,
+      .lookup = &lookup,
+      .exposure = access.get(in.exposure),
+      .settings = in.settings,
+      .keep_images = in.keep_images,
+  });
 }
 
 graph::Handle<trace::TraceResult> add_trace_pass(graph::FrameGraph& graph, const TraceInputs& in) {
@@ -34,30 +59,9 @@ graph::Handle<trace::TraceResult> add_trace_pass(graph::FrameGraph& graph, const
   const auto out = builder.writes<trace::TraceResult>("traced layers");
   builder.runs([in, out](const graph::Access& access) {
     const SampleMask* mask = access.find(in.mask);
-    const RealDepth* real_depth = access.find(in.real_depth);
-    const trace::CameraView lookup{
-        .camera = in.view.camera,
-        .camera_from_world = in.view.scene.camera_from_world,
-        .image = &access.get(in.camera_image).pixels,
-        .exposure = access.get(in.exposure),
-        .ideal = in.view.ideal,
-        .real_depth = real_depth != nullptr ? &real_depth->z : nullptr,
-    };
-    const trace::TraceRequest request{
-        .scene = *access.get(in.scene).scene,
-        .lights = in.view.lights,
-        .environment = in.environment,
-        .camera = in.view.ideal,
-        .camera_from_world = in.view.scene.camera_from_world,
-        .samples_per_side = in.view.samples_per_side,
-        .mask = mask != nullptr ? &mask->flags : nullptr,
-        .mask_bit = SampleMask::kSpecular,
-        .lookup = &lookup,
-        .exposure = access.get(in.exposure),
-        .settings = in.settings,
-        .keep_images = in.keep_images,
-    };
-    access.set(out, trace::trace(request));
+    const TracedSamples samples{mask != nullptr ? &mask->flags : nullptr, SampleMask::kSpecular,
+                                in.view.samples_per_side};
+    access.set(out, trace_samples(in, access, samples));
   });
   return out;
 }

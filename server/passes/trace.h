@@ -17,10 +17,8 @@ struct PlacedScene {
   const trace::EmbreeScene* scene = nullptr;
 };
 
-// Moves the instances; left out if nothing moved. samples: whoever needs tracing, so that nothing
-// is placed without.
+// Moves the instances; left out if nothing moved.
 graph::Handle<PlacedScene> add_place_instances_pass(graph::FrameGraph& graph,
-                                                    graph::Handle<SpecularSamples> specular,
                                                     const RenderView& view,
                                                     trace::EmbreeScene& scene);
 
@@ -38,6 +36,18 @@ struct TraceInputs {
 };
 
 graph::Handle<trace::TraceResult> add_trace_pass(graph::FrameGraph& graph, const TraceInputs& in);
+
+// Which samples to trace: size ideal.size * per_side, those with the bit. Null flags: all.
+struct TracedSamples {
+  const core::Image<std::uint8_t>* flags = nullptr;
+  std::uint8_t bit = 0;
+  int per_side = 1;
+};
+
+// The tracing itself, for a pass that has declared these inputs' scene, camera_image, exposure and
+// real_depth.
+trace::TraceResult trace_samples(const TraceInputs& in, const graph::Access& access,
+                                 const TracedSamples& samples);
 
 struct TracedMeterInputs {
   const RenderView& view;

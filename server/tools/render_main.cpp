@@ -70,7 +70,8 @@ void write_picture(const std::string& path, core::ImageRgb8 image) {
   }
   cv::imencode(extension, rgb, encoded);
   std::ofstream file(path, std::ios::binary);
-  file.write(reinterpret_cast<const char*>(encoded.data()), static_cast<std::streamsize>(encoded.size()));
+  file.write(reinterpret_cast<const char*>(encoded.data()),
+             static_cast<std::streamsize>(encoded.size()));
   if (!file) throw std::runtime_error(path + ": cannot be written");
 }
 

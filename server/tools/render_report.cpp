@@ -41,6 +41,7 @@ void print_json(std::ostream& out, const std::vector<frame::FrameOutput>& frames
   }
   json["pixels"] = {{"virtual", last.pixels.virtual_pixels},
                     {"specular", last.pixels.specular},
+                    {"refined", last.pixels.refined},
                     {"total", last.pixels.total}};
   json["provenance"] = nlohmann::ordered_json::object();
   for (std::size_t k = 0; k < core::kLightSources; ++k) {

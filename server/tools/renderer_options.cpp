@@ -13,9 +13,19 @@ void add_renderer_options(CLI::App& app, frame::RendererSettings& settings) {
          "objects out) or diffuse (paint them diffuse)")
       ->check(CLI::IsMember({"hybrid", "raytrace", "raster", "diffuse"}))
       ->default_str("hybrid");
-  app.add_option("--samples", settings.samples_per_pixel, "samples a pixel: 1, 4, 9 or 16")
-      ->check(CLI::IsMember({1, 4, 9, 16}))
-      ->capture_default_str();
+  app.add_option_function<std::string>(
+         "--samples",
+         [&settings](const std::string& text) {
+           try {
+             frame::parse_samples(text, settings);
+           } catch (const std::invalid_argument& error) {
+             throw CLI::ValidationError("--samples", error.what());
+           }
+         },
+         "samples a pixel: 1, 4, 9, 16, or adaptive[:THRESHOLD], which takes 9 only where "
+         "neighbours "
+         "differ by more than THRESHOLD (display-linear, default 0.03)")
+      ->default_str("1");
   app.add_option("--max-depth", settings.trace.max_depth, "specular surfaces that a ray may meet")
       ->check(CLI::Range(0, 10000))
       ->capture_default_str();

@@ -194,6 +194,44 @@ TEST(FrameRenderer, SecondFrameRedrawsNoShadowMap) {
   EXPECT_EQ(first.jpeg, second.jpeg);
 }
 
+// Adaptive sampling comes nearer to fixed nine samples than one sample does, with fewer rays than
+// nine.
+TEST(FrameRenderer, AdaptiveSamplesGoWhereTheyMatter) {
+  scene::Scene scene = table();
+  add_box(scene, test_support::make_diffuse(glm::vec3(0.7f, 0.3f, 0.2f), 0.4f));
+  add_object(scene, test_support::make_sphere({0.09f, 0.03f, 0.02f}, 0.03f),
+             test_support::make_glass(), scene::Role::Virtual);
+  ViewOptions options;
+  options.camera = core::default_camera(kWidth, kHeight);
+  options.keep_pixels = true;
+  for (const auto mode : {RendererMode::Hybrid, RendererMode::Raytrace}) {
+    const auto with_samples = [&](const char* samples) {
+      RendererSettings settings;
+      settings.mode = mode;
+      settings.exposure = 0.8f;
+      parse_samples(samples, settings);
+      return render(scene, {stripes(), {default_pose(kMarker)}}, options, settings);
+    };
+    const FrameOutput one = with_samples("1"), nine = with_samples("9"),
+                      adaptive = with_samples("adaptive");
+    const auto distance = [&](const FrameOutput& output) {
+      double sum = 0.0;
+      for (std::size_t i = 0; i < nine.pixels.pixels().size(); ++i) {
+        const glm::ivec3 d(
+            glm::abs(glm::ivec3(output.pixels.pixels()[i]) - glm::ivec3(nine.pixels.pixels()[i])));
+        sum += d.x + d.y + d.z;
+      }
+      return sum;
+    };
+    EXPECT_LT(distance(adaptive), 0.35 * distance(one));
+    EXPECT_GT(adaptive.statistics.pixels.refined, 0u);
+    EXPECT_LT(adaptive.statistics.pixels.refined, adaptive.statistics.pixels.total / 2);
+    if (mode == RendererMode::Raytrace) {
+      EXPECT_LT(adaptive.statistics.rays.primary, nine.statistics.rays.primary / 2);
+    }
+  }
+}
+
 TEST(FrameRenderer, LightsFollowTheEnvironmentAndOnlyIt) {
   scene::Scene scene = table();
   add_box(scene, test_support::make_diffuse(glm::vec3(0.5f)));

@@ -23,6 +23,21 @@ TEST(RendererSettings, NonsenseIsRefused) {
   refused([](auto& s) { s.jpeg_quality = 101; });
 }
 
+TEST(RendererSettings, SamplesAreParsed) {
+  RendererSettings settings;
+  parse_samples("adaptive", settings);
+  EXPECT_EQ(settings.samples_per_pixel, 1);
+  EXPECT_EQ(settings.adaptive_threshold, kDefaultAdaptiveThreshold);
+  parse_samples("adaptive:0.1", settings);
+  EXPECT_EQ(settings.adaptive_threshold, 0.1f);
+  parse_samples("9", settings);
+  EXPECT_EQ(settings.samples_per_pixel, 9);
+  EXPECT_FALSE(settings.adaptive_threshold);
+  for (const char* wrong : {"", "2", "9x", "adaptive:", "adaptive:0", "adaptive:2", "adaptivex"}) {
+    EXPECT_THROW(parse_samples(wrong, settings), std::invalid_argument) << wrong;
+  }
+}
+
 TEST(RendererMode, IsParsedByName) {
   EXPECT_EQ(parse_renderer_mode("raytrace"), RendererMode::Raytrace);
   EXPECT_THROW(parse_renderer_mode("fast"), std::invalid_argument);

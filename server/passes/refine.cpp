@@ -1,0 +1,100 @@
+#include "passes/refine.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace amalgam::passes {
+namespace {
+
+bool shows_something(const core::Layers& layers, glm::ivec2 p) {
+  return layers.over.at(p.x, p.y) != glm::vec4(0.0f) ||
+         layers.difference.at(p.x, p.y) != glm::vec3(0.0f);
+}
+
+float layer_step(const core::Layers& layers, glm::ivec2 p, glm::ivec2 q) {
+  const glm::vec4 over = glm::abs(layers.over.at(p.x, p.y) - layers.over.at(q.x, q.y));
+  const glm::vec3 difference =
+      glm::abs(layers.difference.at(p.x, p.y) - layers.difference.at(q.x, q.y));
+  return std::max({over.x, over.y, over.z, over.w, difference.x, difference.y, difference.z});
+}
+
+bool is_other_surface(const trace::FirstHits& hits, glm::ivec2 p, glm::ivec2 q) {
+  if (hits.instance.at(p.x, p.y) != hits.instance.at(q.x, q.y)) return true;
+  constexpr float kStep =
+      1.02f;  // a slanted surface changes its distance by less from pixel to pixel
+  const auto [near, far] = std::minmax(hits.distance.at(p.x, p.y), hits.distance.at(q.x, q.y));
+  return std::isfinite(far) && far > kStep * near;
+}
+
+// All n x n samples of the marked pixels.
+core::Image<std::uint8_t> sample_mask(const core::Image<std::uint8_t>& pixels) {
+  constexpr int n = kRefinedSamplesPerSide;
+  core::Image<std::uint8_t> mask(pixels.width() * n, pixels.height() * n);
+  for (int y = 0; y < mask.height(); ++y) {
+    for (int x = 0; x < mask.width(); ++x) mask.at(x, y) = pixels.at(x / n, y / n);
+  }
+  return mask;
+}
+
+void replace_marked(core::Layers& layers, const core::Layers& refined,
+                    const core::Image<std::uint8_t>& marked) {
+  for (int y = 0; y < marked.height(); ++y) {
+    for (int x = 0; x < marked.width(); ++x) {
+      if (marked.at(x, y) == 0) continue;
+      layers.over.at(x, y) = refined.over.at(x, y);
+      layers.difference.at(x, y) = refined.difference.at(x, y);
+    }
+  }
+}
+
+}  // namespace
+
+core::Image<std::uint8_t> find_edges(const core::Layers& layers, const trace::FirstHits& hits,
+                                     float threshold) {
+  core::Image<std::uint8_t> edges(layers.over.width(), layers.over.height());
+  const auto compare = [&](glm::ivec2 p, glm::ivec2 q) {
+    const bool differs = layer_step(layers, p, q) > threshold || is_other_surface(hits, p, q);
+    if (!differs || !(shows_something(layers, p) || shows_something(layers, q))) return;
+    edges.at(p.x, p.y) = 1;
+    edges.at(q.x, q.y) = 1;
+  };
+  for (int y = 0; y < edges.height(); ++y) {
+    for (int x = 0; x < edges.width(); ++x) {
+      if (x + 1 < edges.width()) compare({x, y}, {x + 1, y});
+      if (y + 1 < edges.height()) compare({x, y}, {x, y + 1});
+    }
+  }
+  return edges;
+}
+
+RefineOutputs add_refine_pass(graph::FrameGraph& graph, const RefineInputs& in) {
+  graph::Builder builder = graph.add_pass("refine");
+  builder.needs(in.base);
+  builder.needs(in.trace.scene);
+  builder.needs(in.trace.camera_image);
+  builder.needs(in.trace.exposure);
+  builder.uses(in.trace.real_depth);
+  const RefineOutputs out{builder.writes<Layers>("refined layers"),
+                          builder.writes<Refinement>("refinement")};
+  builder.runs([in, out](const graph::Access& access) {
+    const RenderView& view = in.trace.view;
+    Layers layers = access.get(in.base);
+    const trace::FirstHits hits = trace::find_first_hits(*access.get(in.trace.scene).scene,
+                                                         view.ideal, view.scene.camera_from_world);
+    const core::Image<std::uint8_t> edges = find_edges(layers, hits, in.threshold);
+    const core::Image<std::uint8_t> mask = sample_mask(edges);
+    TracedSamples samples{&mask, 1, kRefinedSamplesPerSide};
+    const trace::TraceResult refined = trace_samples(in.trace, access, samples);
+    replace_marked(layers, refined.layers, edges);
+
+    Refinement statistics{refined.rays, 0, refined.nonfinite};
+    statistics.rays.primary += edges.pixels().size();
+    statistics.pixels =
+        static_cast<std::uint64_t>(std::count(edges.pixels().begin(), edges.pixels().end(), 1));
+    access.set(out.layers, std::move(layers));
+    access.set(out.statistics, statistics);
+  });
+  return out;
+}
+
+}  // namespace amalgam::passes

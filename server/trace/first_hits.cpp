@@ -1,0 +1,33 @@
+#include "trace/first_hits.h"
+
+#include <tbb/parallel_for.h>
+
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "core/pose.h"
+
+namespace amalgam::trace {
+
+FirstHits find_first_hits(const EmbreeScene& scene, const core::CameraModel& camera,
+                          const glm::dmat4& camera_from_world) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  FirstHits hits{core::Image<std::uint32_t>(camera.width, camera.height, FirstHits::kNothing),
+                 core::Image32f(camera.width, camera.height, kInfinity)};
+  const glm::dmat4 world_from_camera = core::rigid_inverse(camera_from_world);
+  const glm::dmat3 rotation(world_from_camera);
+  const glm::vec3 origin(world_from_camera[3]);
+  tbb::parallel_for(0, camera.height, [&](int y) {
+    for (int x = 0; x < camera.width; ++x) {
+      const glm::dvec3 direction = rotation * *core::pixel_direction(camera, {x, y});
+      const auto hit = scene.intersect({origin, glm::vec3(glm::normalize(direction)), kInfinity},
+                                       Visible::Everything);
+      if (!hit) continue;
+      hits.instance.at(x, y) = hit->instance;
+      hits.distance.at(x, y) = hit->t;
+    }
+  });
+  return hits;
+}
+
+}  // namespace amalgam::trace

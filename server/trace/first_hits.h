@@ -1,0 +1,25 @@
+// What each pixel sees first, without shading it: where to look for edges.
+#pragma once
+
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+
+#include "core/camera_model.h"
+#include "core/image.h"
+#include "trace/embree_scene.h"
+
+namespace amalgam::trace {
+
+struct FirstHits {
+  static constexpr std::uint32_t kNothing = 0xffffffffu;
+  core::Image<std::uint32_t> instance;  // index into Scene::instances, or kNothing
+  core::Image32f
+      distance;  // along the ray through the pixel's centre, metres; infinity for nothing
+};
+
+// One ray a pixel of the ideal camera, through its centre. Masked-out texels count as surface. Runs
+// on the caller's TBB arena.
+FirstHits find_first_hits(const EmbreeScene& scene, const core::CameraModel& camera,
+                          const glm::dmat4& camera_from_world);
+
+}  // namespace amalgam::trace

@@ -1,0 +1,58 @@
+#include "passes/refine.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace amalgam::passes {
+namespace {
+
+constexpr int kWidth = 8, kHeight = 6;
+
+core::Layers empty_layers() {
+  return {core::ImageRgba32f(kWidth, kHeight, glm::vec4(0.0f)),
+          core::ImageRgb32f(kWidth, kHeight, glm::vec3(0.0f))};
+}
+trace::FirstHits one_surface() {
+  return {core::Image<std::uint32_t>(kWidth, kHeight, 3u), core::Image32f(kWidth, kHeight, 1.0f)};
+}
+int count(const core::Image<std::uint8_t>& edges) {
+  int marked = 0;
+  for (const std::uint8_t edge : edges.pixels()) marked += edge;
+  return marked;
+}
+
+TEST(FindEdges, NothingVirtualHasNoEdges) {
+  trace::FirstHits hits = one_surface();
+  hits.instance.at(4, 3) = 9;  // real objects have borders too, but add nothing to the picture
+  hits.distance.at(1, 1) = std::numeric_limits<float>::infinity();
+  EXPECT_EQ(count(find_edges(empty_layers(), hits, 0.03f)), 0);
+}
+
+TEST(FindEdges, AStepInColourMarksBothSides) {
+  core::Layers layers = empty_layers();
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 4; x < kWidth; ++x) layers.difference.at(x, y) = glm::vec3(-0.1f);
+  }
+  const auto edges = find_edges(layers, one_surface(), 0.03f);
+  EXPECT_EQ(count(edges), 2 * kHeight);
+  EXPECT_EQ(edges.at(3, 2), 1);
+  EXPECT_EQ(edges.at(4, 2), 1);
+  EXPECT_EQ(count(find_edges(layers, one_surface(), 0.2f)), 0) << "below the threshold";
+}
+
+TEST(FindEdges, AnotherObjectOrDistanceIsAnEdgeAtAnyColour) {
+  core::Layers layers = empty_layers();
+  for (auto& over : layers.over.pixels()) over = glm::vec4(0.3f, 0.3f, 0.3f, 1.0f);
+  trace::FirstHits hits = one_surface();
+  hits.instance.at(4, 3) = 5;
+  EXPECT_EQ(count(find_edges(layers, hits, 0.03f)), 5) << "the pixel and its four neighbours";
+  hits = one_surface();
+  hits.distance.at(4, 3) = 1.5f;
+  EXPECT_EQ(count(find_edges(layers, hits, 0.03f)), 5);
+  hits.distance.at(4, 3) = 1.01f;
+  EXPECT_EQ(count(find_edges(layers, hits, 0.03f)), 0) << "a slanted surface";
+}
+
+}  // namespace
+}  // namespace amalgam::passes
