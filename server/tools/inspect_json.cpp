@@ -85,6 +85,13 @@ void print_json(std::ostream& out, const Inspection& inspection) {
                            {"low_dynamic_range", environment->low_dynamic_range}};
   }
   json["lights"] = lights_json(inspection);
+  json["light_errors"] = Json::array();
+  for (const auto& [choice, lights, error] : inspection.light_errors) {
+    json["light_errors"].push_back({{"env_lights", choice},
+                                    {"lights", lights},
+                                    {"irradiance_rms", error.rms},
+                                    {"irradiance_maximum", error.maximum}});
+  }
   json["notes"] = scene.notes;
   json["left_out"] = Json::array();
   for (const scene::Absence& absence : describe_absences(scene_features(scene))) {

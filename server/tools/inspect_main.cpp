@@ -18,8 +18,25 @@ struct Options {
   bool json = false;
 };
 
+using namespace amalgam;
+
+// The chosen extraction first, then the usual ones.
+std::vector<tools::Inspection::LightError> light_errors(const scene::Environment& environment,
+                                                        const std::string& chosen) {
+  std::vector<std::string> choices{chosen};
+  for (const char* usual :
+       {"sectors", "median-cut:8", "median-cut:32", "median-cut:128", "median-cut:512"}) {
+    if (usual != chosen) choices.emplace_back(usual);
+  }
+  std::vector<tools::Inspection::LightError> errors;
+  for (const std::string& choice : choices) {
+    const auto lights = scene::extract_lights(environment, scene::parse_env_light_options(choice));
+    errors.push_back({choice, lights.size(), scene::irradiance_error(environment, lights)});
+  }
+  return errors;
+}
+
 void inspect(const Options& options) {
-  using namespace amalgam;
   const auto light_options = scene::parse_env_light_options(options.env_lights);
   scene::LoadOptions load_options;
   if (!options.environment.empty()) load_options.environment = options.environment;
@@ -27,6 +44,7 @@ void inspect(const Options& options) {
   inspection.scene = scene::load_scene(options.scene, load_options);
   if (const auto& environment = inspection.scene.environment) {
     inspection.environment_lights = scene::extract_lights(*environment, light_options);
+    inspection.light_errors = light_errors(*environment, to_string(light_options));
   }
   (options.json ? tools::print_json : tools::print_text)(std::cout, inspection);
 }

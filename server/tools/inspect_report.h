@@ -2,9 +2,11 @@
 #pragma once
 
 #include <iosfwd>
+#include <string>
 #include <vector>
 
 #include "scene/env_lights.h"
+#include "scene/irradiance.h"
 #include "scene/scene.h"
 
 namespace amalgam::tools {
@@ -12,11 +14,21 @@ namespace amalgam::tools {
 struct Inspection {
   scene::Scene scene;
   std::vector<scene::Light> environment_lights;
+
+  // How far lights are from the environment's own irradiance: those of this run, and for comparison
+  // the usual choices.
+  struct LightError {
+    std::string choice;  // as --env-lights takes it
+    std::size_t lights = 0;
+    scene::IrradianceError error;
+  };
+  std::vector<LightError> light_errors;
 };
 
 void print_text(std::ostream& out, const Inspection& inspection);
 
-// One object: world, nodes, materials, environment, lights, notes, left_out.
+// One object: world, nodes, materials, environment, lights, light_errors (relative), notes,
+// left_out.
 void print_json(std::ostream& out, const Inspection& inspection);
 
 const char* name_of(scene::Role role);

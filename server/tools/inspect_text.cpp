@@ -1,3 +1,4 @@
+#include <cmath>
 #include <cstdio>
 #include <glm/geometric.hpp>
 #include <ostream>
@@ -69,6 +70,11 @@ void print_lights(std::ostream& out, const Inspection& inspection) {
   for (const scene::Light& light : inspection.environment_lights) {
     out << "  from the environment, towards " << format_rgb(light.to_light) << ", irradiance "
         << format_rgb(light.intensity) << '\n';
+  }
+  for (const auto& [choice, lights, error] : inspection.light_errors) {
+    out << "  " << choice << ": " << lights << " lights, irradiance off by "
+        << static_cast<double>(std::lround(error.rms * 1e4)) / 100.0 << " % rms, "
+        << static_cast<double>(std::lround(error.maximum * 1e4)) / 100.0 << " % at most\n";
   }
   for (const scene::PunctualLight& light : inspection.scene.punctual_lights) {
     const bool directional = light.kind == scene::PunctualLight::Kind::Directional;

@@ -1,0 +1,52 @@
+#include "scene/irradiance.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "scene/env_lights.h"
+
+namespace amalgam::scene {
+namespace {
+
+constexpr float kPi = std::numbers::pi_v<float>;
+
+Environment constant_map() {
+  return {core::ImageRgb32f(64, 32, glm::vec3(1.0f)), false};
+}
+
+TEST(Irradiance, OfAConstantMapIsPi) {
+  for (const glm::vec3& normal :
+       {glm::vec3(0, 1, 0), glm::vec3(1, 0, 0), glm::vec3(0.6f, 0, -0.8f)}) {
+    EXPECT_NEAR(environment_irradiance(constant_map(), normal).y, kPi, 0.01f);
+  }
+}
+
+TEST(Irradiance, OfOneLightIsItsCosine) {
+  Light light;
+  light.to_light = {0, 1, 0};
+  light.intensity = glm::vec3(2.0f);
+  const std::vector<Light> lights{light};
+  EXPECT_FLOAT_EQ(lights_irradiance(lights, {0, 1, 0}).x, 2.0f);
+  EXPECT_FLOAT_EQ(lights_irradiance(lights, {0.8f, 0.6f, 0}).x, 1.2f);
+  EXPECT_FLOAT_EQ(lights_irradiance(lights, {0, -1, 0}).x, 0.0f);
+}
+
+// More lights stand in better for the map; no lights at all are off by everything.
+TEST(IrradianceError, FallsWithTheNumberOfLights) {
+  const Environment map = constant_map();
+  const auto error_of = [&](int count) {
+    return irradiance_error(map, median_cut(map, count)).rms;
+  };
+  EXPECT_LT(error_of(64), error_of(16));
+  EXPECT_LT(error_of(256), error_of(64));
+  EXPECT_LT(error_of(256), 0.02);
+  EXPECT_NEAR(irradiance_error(map, {}).rms, 1.0, 0.01);
+}
+
+TEST(IrradianceError, OfABlackMapIsNone) {
+  EXPECT_EQ(irradiance_error({core::ImageRgb32f(8, 4), false}, {}).rms, 0.0);
+}
+
+}  // namespace
+}  // namespace amalgam::scene
