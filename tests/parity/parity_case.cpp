@@ -44,9 +44,13 @@ ParityCase make_parity_case(const std::string& scene_name, int width, int height
   result.scene =
       scene::load_scene(std::string(AMALGAM_SOURCE_DIR) + "/deploy/scenes/" + scene_name + ".gltf");
   result.camera = test_support::make_pinhole(width, height, 1.1 * width);
-  result.camera_image = make_camera_image(width, height);
-  result.poses = {make_pose(result.scene.world.marker)};
+  place_camera(result);
   return result;
+}
+
+void place_camera(ParityCase& parity_case) {
+  parity_case.camera_image = make_camera_image(parity_case.camera.width, parity_case.camera.height);
+  parity_case.poses = {make_pose(parity_case.scene.world.marker)};
 }
 
 const reference::ReferenceImages& reference_images(const ParityCase& parity_case) {
@@ -65,6 +69,8 @@ const reference::ReferenceImages& reference_images(const ParityCase& parity_case
   request.camera_image = &parity_case.camera_image;
   request.exposure = static_cast<double>(parity_case.exposure);
   request.settings.importance_cutoff = static_cast<double>(0.004f);
+  request.samples_per_side = parity_case.samples_per_side;
+  if (parity_case.exact_fresnel) request.settings.fresnel = reference::Fresnel::Exact;
   request.find_grazing = true;
   return rendered.emplace(parity_case.name, reference::render_reference(parity_case.scene, request))
       .first->second;

@@ -21,11 +21,16 @@ struct ParityCase {
   core::ImageRgb8 camera_image;
   std::vector<core::MarkerPose> poses;
   float exposure = 1.0f;
+  int samples_per_side = 1;
+  bool exact_fresnel = false;
 };
 
 // A scene of deploy/scenes. The image is gradients and soft stripes by formula; the world marker
 // is seen from above at a slant, as by somebody at a desk.
 ParityCase make_parity_case(const std::string& scene_name, int width, int height);
+
+// The made-up image, of the camera's size, and the pose.
+void place_camera(ParityCase& parity_case);
 
 // Rendered once for each name and kept: both modes of the renderer are compared with it.
 const reference::ReferenceImages& reference_images(const ParityCase& parity_case);

@@ -26,6 +26,8 @@ Rendered render(const ParityCase& parity_case, frame::RendererMode mode) {
   frame::RendererSettings settings;
   settings.mode = mode;
   settings.exposure = parity_case.exposure;
+  settings.samples_per_pixel = parity_case.samples_per_side * parity_case.samples_per_side;
+  if (parity_case.exact_fresnel) settings.trace.fresnel = trace::FresnelModel::Exact;
   frame::FrameRenderer renderer(parity_case.scene, settings);
   frame::ViewOptions options;
   options.camera = parity_case.camera;
@@ -152,7 +154,7 @@ ParityRow compare_with_reference(const ParityCase& parity_case, frame::RendererM
 }
 
 std::string table_header() {
-  return "case              renderer  traced   edge %  steep %  mean error  max error  wrong  "
+  return "case                  renderer  traced   edge %  steep %  mean error  max error  wrong  "
          "wrong+grazing | composite mean  max  within 3 %  off, rasterised\n";
 }
 
@@ -160,7 +162,7 @@ std::string table_line(const ParityCase& parity_case, frame::RendererMode mode,
                        const ParityRow& row) {
   const double percent = 100.0 / static_cast<double>(row.pixels);
   std::ostringstream line;
-  line << std::left << std::setw(18) << parity_case.name << std::setw(8) << mode_name(mode)
+  line << std::left << std::setw(22) << parity_case.name << std::setw(8) << mode_name(mode)
        << std::right << std::fixed << std::setw(8) << row.traced << std::setprecision(3)
        << std::setw(9) << percent * static_cast<double>(row.edge) << std::setw(9)
        << percent * static_cast<double>(row.steep) << std::scientific << std::setprecision(2)

@@ -186,7 +186,9 @@ TEST(ReferenceCamera, EnvironmentOrientation) {
 }
 
 TEST(ReferenceCamera, TextureWrapping) {
-  scene::Texture texture{core::ImageRgba8(2, 1), scene::Wrap::Repeat, scene::Wrap::Clamp};
+  scene::Texture texture;
+  texture.texels = core::ImageRgba8(2, 1);
+  texture.wrap_v = scene::Wrap::Clamp;
   texture.texels.at(0, 0) = {0, 0, 0, 0};
   texture.texels.at(1, 0) = {255, 255, 255, 255};
   const auto red = [&](double u) { return sample_texture(texture, {u, 0.3}).r; };
