@@ -2,18 +2,16 @@
 // Adds one glass interface's optical depth on the light's way (see shadow.glsl), and keeps the
 // nearest interface's depth.
 #include "interface.glsl"
-#include "base_color.glsl"
+#include "surface_inputs.glsl"
+#include "surface_material.glsl"
 #include "surface_normals.glsl"
 #include "shadow.glsl"
 
-layout(location = 0) in vec3 world_position;
-layout(location = 1) in vec3 world_normal;
-layout(location = 2) in vec2 surface_uv;
 
 layout(location = 0) out vec4 depth_and_nearest;
 
 void main() {
-  vec4 color = base_color(surface_uv);
+  vec4 color = base_color();
   if (is_cut_out(color)) discard;
 
   bool perspective = light_perspective != 0u;
@@ -22,7 +20,7 @@ void main() {
   float t = perspective ? distance(light_eye, world_position) : -dot(to_light, world_position);
 
   Normals normals = surface_normals(world_normal);
-  float through = 1.0 - glass_reflectance(abs(dot(normals.shading, to_light)));
+  float through = transmission() * (1.0 - glass_reflectance(abs(dot(normals.shading, to_light))));
   vec3 depth = -log(max(through * color.rgb, vec3(kMinTransmittance)));
   if (material.thin == 0u) {
     depth += material.absorption * (dot(normals.geometric, to_light) > 0.0 ? -t : t);

@@ -1,10 +1,10 @@
 #version 450 core
 // Depth only; alpha masks leave holes.
 #include "interface.glsl"
-#include "base_color.glsl"
+#include "surface_inputs.glsl"
+#include "surface_material.glsl"
 
-layout(location = 2) in vec2 surface_uv;
 
 void main() {
-  if (is_cut_out(base_color(surface_uv))) discard;
+  if (is_cut_out(base_color())) discard;
 }

@@ -9,9 +9,13 @@ struct Material {
   float phong_exponent;
   float normal_reflectance;
   uint thin;
-  uint unused;
-  uvec2 wrap;
-  uvec2 unused2;
+  uint textures;          // bit n: has a texture in slot n; bit 8 + n: read at the second uvs
+  uint wraps;             // 4 bits a slot: 0 repeat, 1 mirror, 2 clamp; u, then v
+  float roughness;
+  float transmission;
+  float normal_scale;
+  uvec4 map_sizes;        // by slot: width, and height in the upper half
+  uint normal_map_size;
 };
 
 struct Light {
@@ -28,12 +32,15 @@ struct Light {
   mat4 clip_from_world;  // a cube: [0][0] is the tangent of its sides' half angle
 };
 
-layout(std140, binding = 0) uniform Frame { vec4 eye_in_world; };
+layout(std140, binding = 0) uniform Frame {
+  vec3 eye_in_world;
+  float sample_spread;    // angle between neighbouring samples, radians
+};
 layout(std140, binding = 1) uniform SrgbTable { vec4 srgb_table[64]; };
 layout(std140, binding = 2) uniform Surface {
   mat4 clip_from_mesh;
   mat4 world_from_mesh;
-  mat4 normal_from_mesh;  // cofactors
+  mat4 normal_from_mesh;  // cofactors, divided by the last element, which is negative if it mirrors
   Material material;
   uint surface_flags;     // what the mask shows
 };
@@ -44,4 +51,6 @@ layout(std140, binding = 4) uniform ShadowLayer {
   uint light_perspective;
 };
 
-layout(std430, binding = 0) readonly buffer FaceNormals { vec4 face_normals[]; };
+layout(std430, binding = 0) readonly buffer FaceNormals {
+  vec4 face_normals[];    // w: area in uv over area in mesh space
+};

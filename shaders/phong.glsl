@@ -33,10 +33,10 @@ struct PhongTerms {
   float exponent;
 };
 
-PhongTerms phong_terms(vec3 color) {
+PhongTerms phong_terms(vec3 color, MetallicRoughness point) {
   const float kDielectricF0 = 0.04;
-  return PhongTerms(color * (1.0 - material.metallic) * (1.0 - kDielectricF0),
-                    mix(vec3(kDielectricF0), color, material.metallic), material.phong_exponent);
+  return PhongTerms(color * (1.0 - point.metallic) * (1.0 - kDielectricF0),
+                    mix(vec3(kDielectricF0), color, point.metallic), point.phong_exponent);
 }
 
 // Radiance towards `view` from one light that nothing is in front of. cosine: N.L > 0.

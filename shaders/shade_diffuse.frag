@@ -3,7 +3,8 @@
 // objects (eq. 4.6).
 #define RECEIVES_SHADOWS
 #include "interface.glsl"
-#include "base_color.glsl"
+#include "surface_inputs.glsl"
+#include "surface_material.glsl"
 #include "surface_normals.glsl"
 #include "phong.glsl"
 #include "shadow.glsl"
@@ -12,9 +13,6 @@ layout(early_fragment_tests) in;
 layout(binding = 1) uniform usampler2D mask_flags;
 layout(location = 1) uniform uint light_count;
 
-layout(location = 0) in vec3 world_position;
-layout(location = 1) in vec3 world_normal;
-layout(location = 2) in vec2 surface_uv;
 layout(location = 0) out vec4 mixed_image;
 layout(location = 1) out vec4 real_image;
 
@@ -23,19 +21,20 @@ const uint kVirtual = 1u;
 void main() {
   // Of coincident surfaces the mask pass chose one; another kind must not show through.
   if (texelFetch(mask_flags, ivec2(gl_FragCoord.xy), 0).r != surface_flags) discard;
-  vec4 color = base_color(surface_uv);
+  vec4 color = base_color();
   if (is_cut_out(color)) discard;
 
-  vec3 view = normalize(eye_in_world.xyz - world_position);
+  vec3 view = normalize(eye_in_world - world_position);
   Normals normals = surface_normals(world_normal);
   if (dot(normals.geometric, view) < 0.0) {
     normals.geometric = -normals.geometric;
     normals.shading = -normals.shading;
   }
-  PhongTerms terms = phong_terms(color.rgb);
+  PhongTerms terms = phong_terms(color.rgb, metallic_roughness());
 
-  precise vec3 mixed = material.emission;
-  precise vec3 real = material.emission;
+  vec3 glow = emission();
+  precise vec3 mixed = glow;
+  precise vec3 real = glow;
   for (uint i = 0u; i < light_count; ++i) {
     Light light = lights[i];
     LightArrival arrival = light_arrival(light, world_position);

@@ -1,12 +1,12 @@
 #version 450 core
 // What kind of surface a sample sees: M_v and M_r.
 #include "interface.glsl"
-#include "base_color.glsl"
+#include "surface_inputs.glsl"
+#include "surface_material.glsl"
 
-layout(location = 2) in vec2 surface_uv;
 layout(location = 0) out uint flags;
 
 void main() {
-  if (is_cut_out(base_color(surface_uv))) discard;
+  if (is_cut_out(base_color())) discard;
   flags = surface_flags;
 }

@@ -6,10 +6,15 @@
 #include <span>
 
 #include "gl/shader_interface.h"
+#include "scene/texture_lookup.h"
 #include "scene/tone_map.h"
 
 namespace amalgam::gl {
 namespace {
+
+// By scene::TextureSlot.
+constexpr std::array<GLuint, scene::kTextureSlots> kUnits{
+    kBaseColorUnit, kMetallicRoughnessUnit, kEmissiveUnit, kTransmissionUnit, kNormalUnit};
 
 // In double: the edges' product of a tiny triangle is below what float can hold.
 std::vector<glm::vec4> face_normals(const scene::Mesh& mesh) {
@@ -18,15 +23,25 @@ std::vector<glm::vec4> face_normals(const scene::Mesh& mesh) {
   for (const glm::uvec3& triangle : mesh.triangles) {
     const glm::dvec3 a(mesh.positions[triangle.x]), b(mesh.positions[triangle.y]),
         c(mesh.positions[triangle.z]);
-    normals.emplace_back(glm::vec3(glm::normalize(glm::cross(b - a, c - a))), 0.0f);
+    normals.emplace_back(glm::vec3(glm::normalize(glm::cross(b - a, c - a))),
+                         scene::uv_area_ratio(mesh, mesh.uvs, triangle));
   }
   return normals;
+}
+
+std::optional<Buffer> upload_second_uv_areas(const scene::Mesh& mesh) {
+  if (mesh.second_uvs.empty()) return std::nullopt;
+  std::vector<float> areas;
+  for (const glm::uvec3& triangle : mesh.triangles) {
+    areas.push_back(scene::uv_area_ratio(mesh, mesh.second_uvs, triangle));
+  }
+  return Buffer::of(std::span<const float>(areas));
 }
 
 GpuMesh upload_mesh(const scene::Mesh& mesh) {
   GpuMesh gpu{.vertices = VertexArray(mesh),
               .face_normals = Buffer::of(std::span<const glm::vec4>(face_normals(mesh))),
-              .has_uvs = !mesh.uvs.empty()};
+              .second_uv_areas = upload_second_uv_areas(mesh)};
   if (!mesh.positions.empty()) gpu.low = gpu.high = mesh.positions.front();
   for (const glm::vec3& position : mesh.positions) {
     gpu.low = glm::min(gpu.low, position);
@@ -45,11 +60,64 @@ GpuMaterial describe_material(const scene::Scene& scene, const scene::Material& 
   gpu.phong_exponent = scene::phong_terms(material, glm::vec3(1.0f)).exponent;
   gpu.normal_reflectance = scene::normal_reflectance(material.ior);
   gpu.thin = material.thin ? 1 : 0;
-  if (material.base_color_texture) {
-    const scene::Texture& texture = scene.textures[*material.base_color_texture];
-    gpu.wrap = {static_cast<std::uint32_t>(texture.wrap_u),
-                static_cast<std::uint32_t>(texture.wrap_v)};
+  gpu.roughness = material.roughness;
+  gpu.transmission = material.transmission;
+  gpu.normal_scale = material.normal_scale;
+  for (const scene::TextureSlot slot : scene::kAllTextureSlots) {
+    const auto index = material.texture(slot);
+    if (!index) continue;
+    const scene::Texture& texture = scene.textures[*index];
+    const auto wrap = static_cast<std::uint32_t>(texture.wrap_u) |
+                      static_cast<std::uint32_t>(texture.wrap_v) << 2;
+    gpu.wraps |= wrap << 4 * static_cast<unsigned>(slot);
+    const glm::uvec2 size(texture.texels.size());
+    gpu.map_sizes[static_cast<std::size_t>(slot)] = size.x | size.y << 16;
   }
+  return gpu;
+}
+
+// GpuMaterial::textures of what the mesh has coordinates for, and tangents too if it is a normal
+// texture.
+std::uint32_t texture_bits(const scene::Material& material, const scene::Mesh& mesh) {
+  std::uint32_t bits = 0;
+  for (const scene::TextureSlot slot : scene::kAllTextureSlots) {
+    if (!scene::has_texture(material, mesh, slot)) continue;
+    if (slot == scene::TextureSlot::Normal && mesh.tangents.empty()) continue;
+    bits |= 1u << static_cast<unsigned>(slot);
+    if (material.reads_second_uvs(slot)) bits |= 1u << (8 + static_cast<unsigned>(slot));
+  }
+  return bits;
+}
+
+// All sizes of a texture in one picture: the full one at the left, the smaller ones below each
+// other at its right (shaders/texture_lookup.glsl). Not as levels of a GL texture, because llvmpipe
+// reads four neighbouring fragments at one level, even where a shader says which, and they may
+// belong to different triangles.
+core::ImageRgba8 mip_atlas(const scene::Texture& texture) {
+  if (texture.mips.empty()) return texture.texels;
+  const int left = texture.texels.width();
+  int below = 0;
+  for (const core::ImageRgba8& mip : texture.mips) below += mip.height();
+  core::ImageRgba8 atlas(left + texture.mips.front().width(),
+                         std::max(texture.texels.height(), below));
+  const auto place = [&](const core::ImageRgba8& image, int x0, int y0) {
+    for (int y = 0; y < image.height(); ++y) {
+      for (int x = 0; x < image.width(); ++x) atlas.at(x0 + x, y0 + y) = image.at(x, y);
+    }
+  };
+  place(texture.texels, 0, 0);
+  below = 0;
+  for (const core::ImageRgba8& mip : texture.mips) {
+    place(mip, left, below);
+    below += mip.height();
+  }
+  return atlas;
+}
+
+Texture upload_texture(const scene::Texture& texture) {
+  const core::ImageRgba8 atlas = mip_atlas(texture);
+  Texture gpu(TextureFormat::Rgba8ui, atlas.size());
+  gpu.upload(atlas.data());
   return gpu;
 }
 
@@ -76,7 +144,11 @@ SceneFeatures find_features(const scene::Scene& scene) {
   SceneFeatures features;
   for (const scene::Instance& instance : scene.instances) {
     const scene::Material& material = scene.materials[instance.material];
-    features.textures = features.textures || material.base_color_texture.has_value();
+    const scene::Mesh& mesh = scene.meshes[instance.mesh];
+    const std::uint32_t bits = texture_bits(material, mesh);
+    features.textures |= bits & 0xFFu;
+    features.second_uvs = features.second_uvs || bits >> 8 != 0;
+    features.vertex_colors = features.vertex_colors || !mesh.colors.empty();
     const bool real = instance.role == scene::Role::Real;
     const bool glass = material.kind == scene::MaterialKind::Dielectric;
     (glass ? (real ? features.real_glass : features.virtual_glass)
@@ -88,26 +160,30 @@ SceneFeatures find_features(const scene::Scene& scene) {
 GpuScene::GpuScene(const scene::Scene& scene)
     : srgb_table_(upload_srgb_table()), screen_(screen_triangle()) {
   for (const scene::Mesh& mesh : scene.meshes) meshes_.push_back(upload_mesh(mesh));
-  for (const scene::Texture& texture : scene.textures) {
-    textures_.emplace_back(TextureFormat::Rgba8ui, texture.texels.size());
-    textures_.back().upload(texture.texels.data());
-  }
+  for (const scene::Texture& texture : scene.textures) textures_.push_back(upload_texture(texture));
   for (const scene::Material& material : scene.materials) {
-    texture_of_material_.push_back(material.base_color_texture);
+    auto& textures = textures_of_material_.emplace_back();
+    for (std::size_t slot = 0; slot < textures.size(); ++slot) {
+      textures[slot] = material.texture(scene::kAllTextureSlots[slot]);
+    }
     materials_.push_back(describe_material(scene, material));
   }
   for (const scene::Instance& instance : scene.instances) {
     const scene::Material& material = scene.materials[instance.material];
-    const bool textured = material.base_color_texture.has_value() && meshes_[instance.mesh].has_uvs;
+    const scene::Mesh& mesh = scene.meshes[instance.mesh];
+    const std::uint32_t textures = texture_bits(material, mesh);
+    const bool colored =
+        scene::has_texture(material, mesh, scene::TextureSlot::BaseColor) || !mesh.colors.empty();
     const bool masked = material.alpha_cutoff.has_value();
     instances_.push_back(
         {.mesh = instance.mesh,
          .material = instance.material,
          .role = instance.role,
          .kind = material.kind,
-         .textured = textured,
-         .cut_out = textured && masked,
-         .invisible = !textured && masked && material.base_color.a < *material.alpha_cutoff});
+         .textures = textures,
+         .detailed = textures != 0 || colored,
+         .cut_out = colored && masked,
+         .invisible = !colored && masked && material.base_color.a < *material.alpha_cutoff});
   }
 }
 
@@ -120,8 +196,13 @@ void GpuScene::draw_screen() const {
 }
 
 void GpuScene::draw(std::uint32_t mesh, std::uint32_t material) const {
-  if (const auto& texture = texture_of_material_[material]) {
-    textures_[*texture].bind(kBaseColorUnit);
+  for (std::size_t slot = 0; slot < kUnits.size(); ++slot) {
+    if (const auto& texture = textures_of_material_[material][slot]) {
+      textures_[*texture].bind(kUnits[slot]);
+    }
+  }
+  if (meshes_[mesh].second_uv_areas) {
+    meshes_[mesh].second_uv_areas->bind_storage(kSecondUvAreasBinding);
   }
   meshes_[mesh].face_normals.bind_storage(kFaceNormalsBinding);
   meshes_[mesh].vertices.draw();

@@ -1,6 +1,7 @@
 // A scene's meshes, textures and materials on the GPU, uploaded once.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -16,9 +17,10 @@ namespace amalgam::gl {
 
 struct GpuMesh {
   VertexArray vertices;
-  Buffer face_normals;        // unit geometric normals in mesh space, by gl_PrimitiveID
-  glm::vec3 low{0}, high{0};  // bounds in mesh space, metres
-  bool has_uvs = false;
+  // By gl_PrimitiveID: unit geometric normals in mesh space, and area in uv over area there.
+  Buffer face_normals;
+  std::optional<Buffer> second_uv_areas;  // the same of Mesh::second_uvs, one float each
+  glm::vec3 low{0}, high{0};              // bounds in mesh space, metres
 };
 
 // What passes need to know of Scene::instances and their materials.
@@ -27,16 +29,24 @@ struct GpuInstanceInfo {
   std::uint32_t material = 0;
   scene::Role role = scene::Role::Virtual;
   scene::MaterialKind kind = scene::MaterialKind::Diffuse;
-  bool textured = false;   // the material has a texture and the mesh has uvs
-  bool cut_out = false;    // textured, with an alpha mask
-  bool invisible = false;  // its alpha mask leaves nothing
+  std::uint32_t textures = 0;  // GpuMaterial::textures, those that the mesh has uvs for
+  bool detailed = false;       // has textures or vertex colours
+  bool cut_out = false;        // has an alpha mask and an alpha that varies
+  bool invisible = false;      // its alpha mask leaves nothing
 };
 
 // What shaders can do without, because the scene has none of it.
 struct SceneFeatures {
-  bool textures = false;
+  std::uint32_t textures = 0;  // bit n: some surface has a texture in TextureSlot n
+  bool second_uvs = false;     // some texture is read at Mesh::second_uvs
+  bool vertex_colors = false;
   bool real_opaque = false, virtual_opaque = false;  // casters of shadows
   bool real_glass = false, virtual_glass = false;
+
+  bool has_texture(scene::TextureSlot slot) const {
+    return (textures >> static_cast<unsigned>(slot) & 1u) != 0;
+  }
+  bool has_details() const { return textures != 0 || vertex_colors; }
 };
 SceneFeatures find_features(const scene::Scene& scene);
 
@@ -51,7 +61,7 @@ class GpuScene {
 
   // Binds the table that reads textures: the sRGB curve.
   void bind_tables() const;
-  // Draws the mesh with its face normals and the material's texture bound.
+  // Draws the mesh with its face normals and the material's textures bound.
   void draw(std::uint32_t mesh, std::uint32_t material) const;
 
   // One triangle that covers clip space, for passes from image to image.
@@ -60,8 +70,8 @@ class GpuScene {
  private:
   std::vector<GpuMesh> meshes_;
   std::vector<GpuInstanceInfo> instances_;
-  std::vector<Texture> textures_;  // RGBA8UI, sRGB-encoded as in the file
-  std::vector<std::optional<std::uint32_t>> texture_of_material_;
+  std::vector<Texture> textures_;  // RGBA8UI, encoded as in the file
+  std::vector<std::array<std::optional<std::uint32_t>, scene::kTextureSlots>> textures_of_material_;
   std::vector<GpuMaterial> materials_;
   Buffer srgb_table_;
   VertexArray screen_;

@@ -5,12 +5,15 @@
 // software GL reads those once for all fragments, but shader storage once for each.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+
+#include "scene/material.h"
 
 namespace amalgam::gl {
 
@@ -22,12 +25,21 @@ constexpr unsigned kLightsBinding = 3;
 constexpr unsigned kShadowLayerBinding = 4;
 // Shader storage.
 constexpr unsigned kFaceNormalsBinding = 0;
+constexpr unsigned kSecondUvAreasBinding = 1;
 // Texture units.
 constexpr unsigned kBaseColorUnit = 0;
 constexpr unsigned kMaskUnit = 1;
 constexpr unsigned kShadowMapUnit = 2;  // and the next three, in the order of CasterClass
 constexpr unsigned kMixedUnit = 6;
 constexpr unsigned kRealUnit = 7;
+constexpr unsigned kMetallicRoughnessUnit = 8;
+constexpr unsigned kEmissiveUnit = 9;
+constexpr unsigned kTransmissionUnit = 10;
+constexpr unsigned kNormalUnit = 11;
+// Vertex attributes beyond position, normal and uv (gl/vertex_array.h).
+constexpr unsigned kColorAttribute = 3;
+constexpr unsigned kTangentAttribute = 4;
+constexpr unsigned kSecondUvAttribute = 5;
 // Uniform locations.
 constexpr int kLightCountLocation = 1;
 constexpr int kShadowMapsPresentLocation = 2;  // bit i: the map of CasterClass i is bound
@@ -41,7 +53,8 @@ constexpr std::size_t kMaxLights = 512;
 constexpr std::size_t kRangeAlignment = 256;
 
 struct GpuFrame {  // std140
-  glm::vec4 eye_in_world{0.0f};
+  glm::vec3 eye_in_world{0.0f};
+  float sample_spread = 0.0f;  // angle between neighbouring samples, radians
 };
 
 struct GpuMaterial {  // std140
@@ -53,21 +66,28 @@ struct GpuMaterial {  // std140
   float phong_exponent = 0.0f;
   float normal_reflectance = 0.0f;  // dielectrics: Schlick's R_m
   std::uint32_t thin = 0;
-  std::uint32_t unused = 0;
-  glm::uvec2 wrap{0};  // scene::Wrap of u and v
-  glm::uvec2 unused2{0};
+  std::uint32_t textures = 0;  // bit n: TextureSlot n is used; bit 8 + n: read at the second uvs
+  std::uint32_t wraps = 0;     // 4 bits a slot: scene::Wrap of u, then of v
+  float roughness = 1.0f;
+  float transmission = 1.0f;
+  float normal_scale = 1.0f;
+  // By scene::TextureSlot: width, and height in the upper half.
+  std::array<std::uint32_t, scene::kTextureSlots> map_sizes{};
+  std::array<std::uint32_t, 3> unused{};
 };
-static_assert(sizeof(GpuMaterial) == 80);
+static_assert(sizeof(GpuMaterial) == 112);
 
 // One for each instance that is drawn.
 struct alignas(kRangeAlignment) GpuSurface {  // std140
   glm::mat4 clip_from_mesh{1.0f};
   glm::mat4 world_from_mesh{1.0f};
-  glm::mat4 normal_from_mesh{1.0f};  // upper 3x3: cofactors, sign of the determinant; any scale
+  // Upper 3x3: cofactors times the determinant's sign, divided by a positive number near the
+  // largest; that number times the sign is the last element.
+  glm::mat4 normal_from_mesh{1.0f};
   GpuMaterial material;
   std::uint32_t flags = 0;  // what the mask shows: bits of passes::SampleMask
 };
-static_assert(offsetof(GpuSurface, flags) == 272);
+static_assert(offsetof(GpuSurface, flags) == 304);
 
 struct GpuLight {  // std140
   glm::vec3 to_light{0.0f};

@@ -10,16 +10,35 @@ std::string define(const char* name, bool on) {
   return "#define " + std::string(name) + (on ? " 1\n" : " 0\n");
 }
 
-SurfaceProgram surface_program(std::string_view vertex_file, std::string_view fragment_file,
+enum class SeenFrom { Camera, Light };
+
+std::string caster_defines(const SceneFeatures& features) {
+  return define("HAS_REAL_OPAQUE", features.real_opaque) +
+         define("HAS_VIRTUAL_OPAQUE", features.virtual_opaque) +
+         define("HAS_REAL_GLASS", features.real_glass) +
+         define("HAS_VIRTUAL_GLASS", features.virtual_glass);
+}
+
+std::string detail_defines(const SceneFeatures& features) {
+  const auto has = [&](scene::TextureSlot slot) { return features.has_texture(slot); };
+  using enum scene::TextureSlot;
+  return define("HAS_BASE_COLOR_TEXTURE", has(BaseColor)) +
+         define("HAS_METALLIC_ROUGHNESS_TEXTURE", has(MetallicRoughness)) +
+         define("HAS_EMISSIVE_TEXTURE", has(Emissive)) +
+         define("HAS_TRANSMISSION_TEXTURE", has(Transmission)) +
+         define("HAS_NORMAL_TEXTURE", has(Normal)) + define("HAS_SECOND_UVS", features.second_uvs) +
+         define("HAS_VERTEX_COLORS", features.vertex_colors);
+}
+
+SurfaceProgram surface_program(std::string_view fragment_file, SeenFrom from,
                                const SceneFeatures& features) {
-  const std::string casters = define("HAS_REAL_OPAQUE", features.real_opaque) +
-                              define("HAS_VIRTUAL_OPAQUE", features.virtual_opaque) +
-                              define("HAS_REAL_GLASS", features.real_glass) +
-                              define("HAS_VIRTUAL_GLASS", features.virtual_glass);
+  const bool camera = from == SeenFrom::Camera;
+  const std::string_view vertex_file = camera ? "draw_surface.vert" : "draw_caster.vert";
+  const std::string common = caster_defines(features) + define("FROM_CAMERA", camera);
   SurfaceProgram program{
-      ShaderProgram(vertex_file, fragment_file, casters + define("TEXTURED", false)), {}};
-  if (features.textures) {
-    program.textured.emplace(vertex_file, fragment_file, casters + define("TEXTURED", true));
+      ShaderProgram(vertex_file, fragment_file, common + detail_defines(SceneFeatures())), {}};
+  if (features.has_details()) {
+    program.detailed.emplace(vertex_file, fragment_file, common + detail_defines(features));
   }
   return program;
 }
@@ -27,11 +46,11 @@ SurfaceProgram surface_program(std::string_view vertex_file, std::string_view fr
 }  // namespace
 
 ShaderLibrary::ShaderLibrary(const SceneFeatures& features)
-    : write_mask(surface_program("draw_surface.vert", "write_mask.frag", features)),
-      shade_diffuse(surface_program("draw_surface.vert", "shade_diffuse.frag", features)),
-      draw_depth(surface_program("draw_surface.vert", "draw_depth.frag", features)),
-      draw_caster(surface_program("draw_caster.vert", "draw_depth.frag", features)),
-      accumulate_glass(surface_program("draw_caster.vert", "accumulate_glass.frag", features)),
+    : write_mask(surface_program("write_mask.frag", SeenFrom::Camera, features)),
+      shade_diffuse(surface_program("shade_diffuse.frag", SeenFrom::Camera, features)),
+      draw_depth(surface_program("draw_depth.frag", SeenFrom::Camera, features)),
+      draw_caster(surface_program("draw_depth.frag", SeenFrom::Light, features)),
+      accumulate_glass(surface_program("accumulate_glass.frag", SeenFrom::Light, features)),
       query_effect("cover_screen.vert", "query_effect.frag"),
       resolve_samples("cover_screen.vert", "resolve_samples.frag") {}
 

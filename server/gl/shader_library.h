@@ -9,10 +9,11 @@
 
 namespace amalgam::gl {
 
-// A program for surfaces, and one that also reads their textures, if the scene has any.
+// A program for surfaces, and one that also reads their textures and vertex colours, if the scene
+// has any: of both programs one for all surfaces, with what the scene lacks left out.
 struct SurfaceProgram {
   ShaderProgram plain;
-  std::optional<ShaderProgram> textured;
+  std::optional<ShaderProgram> detailed;
 };
 
 struct ShaderLibrary {

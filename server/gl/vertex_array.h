@@ -3,6 +3,8 @@
 
 #include <epoxy/gl.h>
 
+#include <optional>
+
 #include "gl/buffer.h"
 #include "scene/scene.h"
 
@@ -10,7 +12,8 @@ namespace amalgam::gl {
 
 class VertexArray {
  public:
-  // Attributes 0 position, 1 normal, 2 uv (zero if the mesh has none).
+  // Attributes 0 position, 1 normal, 2 uv (zero if the mesh has none); colours, tangents and second
+  // uvs (shader_interface.h) in a buffer of their own, if the mesh has any of them.
   explicit VertexArray(const scene::Mesh& mesh);
   ~VertexArray();
   VertexArray(VertexArray&& other) noexcept;
@@ -22,6 +25,7 @@ class VertexArray {
 
  private:
   Buffer vertices_;
+  std::optional<Buffer> details_;
   Buffer indices_;
   GLsizei index_count_ = 0;
   GLuint id_ = 0;

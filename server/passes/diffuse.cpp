@@ -30,7 +30,7 @@ void bind_lights(const DiffuseInputs& in, const graph::Access& access) {
     program.set(gl::kShadowMapsPresentLocation, present);
   };
   tell(in.raster.shaders.shade_diffuse.plain);
-  if (in.raster.shaders.shade_diffuse.textured) tell(*in.raster.shaders.shade_diffuse.textured);
+  if (in.raster.shaders.shade_diffuse.detailed) tell(*in.raster.shaders.shade_diffuse.detailed);
 }
 
 void draw_diffuse(const DiffuseInputs& in, const graph::Access& access, const gl::Texture& mixed,

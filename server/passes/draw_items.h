@@ -8,7 +8,8 @@
 
 namespace amalgam::passes {
 
-// What a pass needs textures for: the surface's colour, or only to find the holes in it.
+// What a pass needs textures and vertex colours for: the surface's material, or only to find the
+// holes in it.
 enum class TextureUse : std::uint8_t { Color, Holes };
 
 // The framebuffer, the pipeline state and the program's own uniforms are set by the caller.
@@ -21,8 +22,8 @@ void draw_items(const RasterContext& raster, const DeviceView& device_view,
   for (std::size_t i = 0; i < device_view.items.size(); ++i) {
     const DrawItem& item = device_view.items[i];
     if (!wanted(item)) continue;
-    const bool textured = use == TextureUse::Color ? item.textured : item.cut_out;
-    (textured ? *programs.textured : programs.plain).use();
+    const bool detailed = use == TextureUse::Color ? item.detailed : item.cut_out;
+    (detailed ? *programs.detailed : programs.plain).use();
     device_view.surfaces.bind_uniform_range(gl::kSurfaceBinding, i * sizeof(gl::GpuSurface),
                                             sizeof(gl::GpuSurface));
     raster.scene.draw(item.mesh, item.material);

@@ -17,12 +17,14 @@ namespace {
 // Takes normals to where the mesh is placed, for any affine transform (numerics B23): the columns'
 // cross products, turned outward again if the transform mirrors. Scaled to about 1, because
 // products of millimetre scales would leave float's comfortable range.
-glm::dmat3 normal_matrix(const glm::dmat3& linear) {
+glm::dmat4 normal_matrix(const glm::dmat3& linear) {
   const glm::dvec3 x = glm::cross(linear[1], linear[2]), y = glm::cross(linear[2], linear[0]),
                    z = glm::cross(linear[0], linear[1]);
   const double largest = std::max({glm::length(x), glm::length(y), glm::length(z)});
   const double sign = glm::dot(linear[0], x) < 0.0 ? -1.0 : 1.0;
-  return glm::dmat3(x, y, z) * (largest > 0.0 ? sign / largest : 1.0);
+  glm::dmat4 matrix(glm::dmat3(x, y, z) * (largest > 0.0 ? sign / largest : 1.0));
+  matrix[3][3] = sign * largest;  // shader_interface.h: GpuSurface
+  return matrix;
 }
 
 std::uint32_t mask_flags(const gl::GpuInstanceInfo& info) {
@@ -39,18 +41,20 @@ DeviceView upload(const RasterContext& raster, const RenderView& view) {
   for (const scene::AnchoredInstance& anchored : view.scene.instances) {
     const gl::GpuInstanceInfo& info = raster.scene.instances()[anchored.instance];
     if (info.invisible) continue;
-    items.push_back({info.mesh, info.material, info.role, info.kind, info.textured, info.cut_out});
+    items.push_back({info.mesh, info.material, info.role, info.kind, info.detailed, info.cut_out});
     const glm::dmat4 world_from_mesh(anchored.world_from_mesh);
     gl::GpuSurface surface;
     surface.clip_from_mesh = glm::mat4(clip_from_world * world_from_mesh);
     surface.world_from_mesh = anchored.world_from_mesh;
-    surface.normal_from_mesh = glm::mat4(glm::dmat4(normal_matrix(glm::dmat3(world_from_mesh))));
+    surface.normal_from_mesh = glm::mat4(normal_matrix(glm::dmat3(world_from_mesh)));
     surface.material = raster.scene.materials()[info.material];
+    surface.material.textures = info.textures;
     surface.flags = mask_flags(info);
     surfaces.push_back(surface);
   }
   gl::GpuFrame frame;
-  frame.eye_in_world = glm::vec4(core::rigid_inverse(view.scene.camera_from_world)[3]);
+  frame.eye_in_world = glm::vec3(core::rigid_inverse(view.scene.camera_from_world)[3]);
+  frame.sample_spread = static_cast<float>(1.0 / (view.ideal.fy * view.samples_per_side));
   return {.items = std::move(items),
           .surfaces = gl::Buffer::of(std::span<const gl::GpuSurface>(surfaces)),
           .frame = gl::Buffer::of(std::span<const gl::GpuFrame>(&frame, 1))};

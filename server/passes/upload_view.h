@@ -30,8 +30,8 @@ struct DrawItem {
   std::uint32_t material = 0;
   scene::Role role = scene::Role::Virtual;
   scene::MaterialKind kind = scene::MaterialKind::Diffuse;
-  bool textured = false;
-  bool cut_out = false;  // textured, with an alpha mask
+  bool detailed = false;  // has textures or vertex colours
+  bool cut_out = false;   // has an alpha mask and an alpha that varies
 };
 
 struct DeviceView {

@@ -14,8 +14,11 @@ SceneFeatures scene_features(const Scene& scene) {
     if (specular) (real ? features.has_real_specular : features.has_virtual_specular) = true;
     features.has_real_diffuse |= real && !specular;
     features.has_transmissive |= material.kind == MaterialKind::Dielectric;
-    features.has_textures |=
-        material.base_color_texture && !scene.meshes[instance.mesh].uvs.empty();
+    const Mesh& mesh = scene.meshes[instance.mesh];
+    for (const TextureSlot slot : kAllTextureSlots)
+      features.has_textures |= has_texture(material, mesh, slot);
+    features.has_normal_textures |= has_texture(material, mesh, TextureSlot::Normal);
+    features.has_vertex_colors |= !mesh.colors.empty();
     features.has_alpha_mask |= material.alpha_cutoff.has_value();
     features.has_emission |= material.emission != glm::vec3(0.0f);
   }
@@ -47,6 +50,9 @@ std::vector<Absence> describe_absences(const SceneFeatures& features) {
   absent_unless(features.has_diffuse, "diffuse pass, shadow maps",
                 "nothing in the scene is diffuse");
   absent_unless(features.has_textures, "textures and their look-ups", "no material has a texture");
+  absent_unless(features.has_normal_textures, "tangents, bent normals",
+                "no material has a normal texture");
+  absent_unless(features.has_vertex_colors, "vertex colours", "no mesh has any");
   absent_unless(features.has_alpha_mask, "alpha test", "no material is masked");
   absent_unless(features.has_emission, "emission", "nothing in the scene glows");
   absent_unless(features.has_environment, "environment look-ups, light extraction",

@@ -20,6 +20,8 @@ struct SceneFeatures {
   bool has_diffuse = false;
   bool has_real_diffuse = false;  // something that looks up the camera image
   bool has_textures = false;      // used by a material that is used
+  bool has_normal_textures = false;
+  bool has_vertex_colors = false;
   bool has_alpha_mask = false;
   bool has_emission = false;
   bool has_environment = false;

@@ -114,6 +114,15 @@ std::vector<glm::vec3> read_vec3(const tinygltf::Model& model, int index) {
   return values;
 }
 
+std::vector<glm::vec4> read_vec4(const tinygltf::Model& model, int index) {
+  const auto floats = read_floats(model, index);
+  std::vector<glm::vec4> values(floats.size() / 4);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i] = {floats[4 * i], floats[4 * i + 1], floats[4 * i + 2], floats[4 * i + 3]};
+  }
+  return values;
+}
+
 std::vector<glm::vec2> read_vec2(const tinygltf::Model& model, int index) {
   const auto floats = read_floats(model, index);
   std::vector<glm::vec2> values(floats.size() / 2);

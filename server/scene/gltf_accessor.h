@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <vector>
 
 #include "scene/gltf_model.h"
@@ -19,6 +20,7 @@ std::vector<float> read_floats(const tinygltf::Model& model, int accessor);
 std::vector<std::uint32_t> read_indices(const tinygltf::Model& model, int accessor);
 
 std::vector<glm::vec3> read_vec3(const tinygltf::Model& model, int accessor);
+std::vector<glm::vec4> read_vec4(const tinygltf::Model& model, int accessor);
 std::vector<glm::vec2> read_vec2(const tinygltf::Model& model, int accessor);
 
 // Fails for an accessor with values that are not finite, or outside the bounds it states by more

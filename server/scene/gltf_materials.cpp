@@ -1,10 +1,9 @@
 #include "scene/gltf_materials.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <map>
 
-#include "codec/picture.h"
 #include "scene/scene_error.h"
 
 namespace amalgam::scene {
@@ -15,84 +14,6 @@ glm::vec3 vec3_or(const std::vector<double>& numbers, float otherwise) {
   if (numbers.size() < 3) return glm::vec3(otherwise);
   return {static_cast<float>(numbers[0]), static_cast<float>(numbers[1]),
           static_cast<float>(numbers[2])};
-}
-
-Wrap wrap_of(int mode) {
-  switch (mode) {
-    case TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE:
-      return Wrap::Clamp;
-    case TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT:
-      return Wrap::Mirror;
-    default:
-      return Wrap::Repeat;
-  }
-}
-
-// Loads each texture at most once.
-class TextureLoader {
- public:
-  TextureLoader(const tinygltf::Model& model, std::vector<Texture>& textures)
-      : model_(model), textures_(textures) {}
-
-  // Nothing if the texture names no picture that can be read.
-  std::optional<std::uint32_t> load(int index) {
-    const auto found = loaded_.find(index);
-    if (found != loaded_.end()) return found->second;
-    const tinygltf::Texture& from = model_.textures[static_cast<std::size_t>(index)];
-    if (from.source < 0) return std::nullopt;
-    Texture texture;
-    try {
-      const auto& encoded = model_.images[static_cast<std::size_t>(from.source)].image;
-      texture.texels = codec::decode_picture(std::as_bytes(std::span(encoded)));
-    } catch (const codec::PictureError& caught) {
-      throw SceneError("images[" + std::to_string(from.source) + "]: " + caught.what());
-    }
-    constexpr std::size_t kMaxTexels = std::size_t{128} << 20;
-    texels_ += texture.texels.pixels().size();
-    if (texels_ > kMaxTexels) throw SceneError("textures together are larger than 128 Mpixel");
-    if (from.sampler >= 0) {
-      const auto& sampler = model_.samplers[static_cast<std::size_t>(from.sampler)];
-      texture.wrap_u = wrap_of(sampler.wrapS);
-      texture.wrap_v = wrap_of(sampler.wrapT);
-    }
-    const auto id = static_cast<std::uint32_t>(textures_.size());
-    textures_.push_back(std::move(texture));
-    loaded_.emplace(index, id);
-    return id;
-  }
-
- private:
-  const tinygltf::Model& model_;
-  std::vector<Texture>& textures_;
-  std::map<int, std::uint32_t> loaded_;
-  std::size_t texels_ = 0;
-};
-
-TextureUse texture_use(const tinygltf::TextureInfo& info) {
-  TextureUse use;
-  use.uv_set = info.texCoord;
-  const auto extension = info.extensions.find("KHR_texture_transform");
-  if (extension == info.extensions.end()) return use;
-  const tinygltf::Value& value = extension->second;
-  const auto pair_of = [&](const char* name, const glm::vec2& otherwise) {
-    if (!value.Has(name)) return otherwise;
-    const tinygltf::Value& list = value.Get(name);
-    if (!list.IsArray() || list.ArrayLen() != 2 || !list.Get(0).IsNumber() ||
-        !list.Get(1).IsNumber()) {
-      throw SceneError(std::string("KHR_texture_transform.") + name + ": expected 2 numbers");
-    }
-    return glm::vec2(static_cast<float>(list.Get(0).GetNumberAsDouble()),
-                     static_cast<float>(list.Get(1).GetNumberAsDouble()));
-  };
-  use.offset = pair_of("offset", use.offset);
-  use.scale = pair_of("scale", use.scale);
-  if (value.Has("rotation") && value.Get("rotation").IsNumber()) {
-    use.rotation = static_cast<float>(value.Get("rotation").GetNumberAsDouble());
-  }
-  if (value.Has("texCoord") && value.Get("texCoord").IsInt()) {
-    use.uv_set = value.Get("texCoord").GetNumberAsInt();
-  }
-  return use;
 }
 
 double number_or(const std::optional<JsonCursor>& object, const char* name, double otherwise) {
@@ -115,8 +36,14 @@ glm::vec3 absorption_of(const std::vector<double>& color, double distance) {
 void resolve_dielectric(const JsonCursor& extensions, Material& material) {
   material.kind = MaterialKind::Dielectric;
   const double ior = number_or(extensions.find("KHR_materials_ior"), "ior", 1.5);
-  // The specification's 0 stands for "infinite"; the highest index in nature is about 4.
-  material.ior = ior == 0.0 ? 100.0f : static_cast<float>(std::max(ior, 1.0));
+  if (ior == 0.0) {
+    // "Infinite" (KHR_materials_ior): reflects everything, whatever its colour, as a white mirror.
+    material.kind = MaterialKind::Mirror;
+    material.base_color = glm::vec4(glm::vec3(1.0f), material.base_color.a);
+    material.ior = 0.0f;
+    return;
+  }
+  material.ior = static_cast<float>(std::max(ior, 1.0));
   const auto volume = extensions.find("KHR_materials_volume");
   material.thin = !(number_or(volume, "thicknessFactor", 0.0) > 0.0);
   const auto distance = volume ? volume->find("attenuationDistance") : std::nullopt;
@@ -130,11 +57,7 @@ void note_unused(const tinygltf::Material& from, const JsonCursor* at,
                  std::vector<std::string>& notes, const std::string& name) {
   const auto note = [&](const char* what) { notes.push_back("material " + name + ": " + what); };
   if (from.alphaMode == "BLEND") note("alpha blending is not supported, drawn opaque");
-  if (from.normalTexture.index >= 0) note("normal texture ignored");
-  if (from.emissiveTexture.index >= 0) note("emissive texture ignored");
-  if (from.pbrMetallicRoughness.metallicRoughnessTexture.index >= 0) {
-    note("metallic-roughness texture ignored, its factors used");
-  }
+  if (from.occlusionTexture.index >= 0) note("occlusion texture ignored");
   const auto extensions = at ? at->find("extensions") : std::nullopt;
   if (!extensions) return;
   constexpr std::array<std::string_view, 8> kUsed{"KHR_materials_transmission", "KHR_materials_ior",
@@ -143,8 +66,8 @@ void note_unused(const tinygltf::Material& from, const JsonCursor* at,
   for (const auto& [extension, content] : extensions->members()) {
     if (std::find(kUsed.begin(), kUsed.end(), extension) == kUsed.end()) {
       note((extension + " ignored").c_str());
-    } else if (content.find("transmissionTexture") || content.find("thicknessTexture")) {
-      note((extension + ": its texture ignored, its factor used").c_str());
+    } else if (content.find("thicknessTexture")) {
+      note("thickness texture ignored, rays find their own way");
     }
   }
 }
@@ -170,14 +93,101 @@ Material resolve_material(const tinygltf::Material& from, const JsonCursor* at) 
       number_or(extension("KHR_materials_emissive_strength"), "emissiveStrength", 1.0);
   material.emission = vec3_or(from.emissiveFactor, 0.0f) * static_cast<float>(strength);
 
-  if (number_or(extension("KHR_materials_transmission"), "transmissionFactor", 0.0) >=
-      kTransmissive) {
+  const double transmission =
+      number_or(extension("KHR_materials_transmission"), "transmissionFactor", 0.0);
+  if (transmission >= kTransmissive) {
+    material.transmission = static_cast<float>(transmission);
     resolve_dielectric(*extensions, material);
   } else if (pbr.metallicFactor >= kMetallic && pbr.roughnessFactor <= kSmooth) {
     material.kind = MaterialKind::Mirror;
   }
   return material;
 }
+
+// Gives a material its textures, and the meshes that wear it their texture coordinates.
+class TextureAssigner {
+ public:
+  TextureAssigner(TextureLoader& loader, Material& material, std::vector<TextureUse>& uses,
+                  std::vector<std::string>& notes)
+      : loader_(loader), material_(material), uses_(uses), notes_(notes) {}
+
+  void assign_all(const tinygltf::Material& from) {
+    using enum TextureSlot;
+    const auto& pbr = from.pbrMetallicRoughness;
+    const bool diffuse = material_.kind == MaterialKind::Diffuse;
+    const bool glass = material_.kind == MaterialKind::Dielectric;
+    // Infinite: its colour does not matter.
+    const bool reflects_all = !diffuse && material_.ior == 0.0f;
+    if (!reflects_all) assign(BaseColor, pbr.baseColorTexture, TexelEncoding::Srgb);
+    if (diffuse || glass)
+      assign(MetallicRoughness, pbr.metallicRoughnessTexture, TexelEncoding::Linear);
+    if (material_.emission != glm::vec3(0.0f))
+      assign(Emissive, from.emissiveTexture, TexelEncoding::Srgb);
+    if (glass) assign_transmission(from);
+    assign(Normal, from.normalTexture, TexelEncoding::Linear);
+    material_.normal_scale = static_cast<float>(from.normalTexture.scale);
+  }
+
+ private:
+  std::optional<std::uint32_t>& texture(TextureSlot slot) {
+    switch (slot) {
+      case TextureSlot::MetallicRoughness:
+        return material_.metallic_roughness_texture;
+      case TextureSlot::Emissive:
+        return material_.emissive_texture;
+      case TextureSlot::Transmission:
+        return material_.transmission_texture;
+      case TextureSlot::Normal:
+        return material_.normal_texture;
+      case TextureSlot::BaseColor:
+        break;
+    }
+    return material_.base_color_texture;
+  }
+
+  // tinygltf has a type for each kind of texture, and all say this much.
+  template <typename Info>
+  void assign(TextureSlot slot, const Info& info, TexelEncoding encoding) {
+    if (info.index < 0) return;
+    const auto use = place(texture_use(info.texCoord, info.extensions));
+    if (!use) return note("a texture with a third set of coordinates is ignored");
+    texture(slot) = loader_.load(info.index, encoding);
+    if (!texture(slot)) return note("its texture has no picture");
+    if (*use == 1) material_.second_uv_slots |= 1u << static_cast<unsigned>(slot);
+  }
+
+  void assign_transmission(const tinygltf::Material& from) {
+    const auto extension = from.extensions.find("KHR_materials_transmission");
+    if (extension == from.extensions.end() || !extension->second.Has("transmissionTexture")) return;
+    tinygltf::TextureInfo info;
+    const tinygltf::Value& value = extension->second.Get("transmissionTexture");
+    info.index = value.Get("index").GetNumberAsInt();
+    if (value.Has("texCoord")) info.texCoord = value.Get("texCoord").GetNumberAsInt();
+    if (value.Has("extensions")) {
+      const tinygltf::Value& inner = value.Get("extensions");
+      for (const std::string& name : inner.Keys()) info.extensions[name] = inner.Get(name);
+    }
+    assign(TextureSlot::Transmission, info, TexelEncoding::Linear);
+  }
+
+  // 0 or 1: the mesh's first or second coordinates.
+  std::optional<std::size_t> place(const TextureUse& use) {
+    const auto found = std::find(uses_.begin(), uses_.end(), use);
+    const auto index = static_cast<std::size_t>(found - uses_.begin());
+    if (found == uses_.end()) {
+      if (uses_.size() == 2) return std::nullopt;
+      uses_.push_back(use);
+    }
+    return index;
+  }
+
+  void note(const char* what) { notes_.push_back("material " + material_.name + ": " + what); }
+
+  TextureLoader& loader_;
+  Material& material_;
+  std::vector<TextureUse>& uses_;
+  std::vector<std::string>& notes_;
+};
 
 }  // namespace
 
@@ -192,14 +202,8 @@ ResolvedMaterials resolve_materials(const GltfModel& gltf, std::vector<Texture>&
     Material material = resolve_material(from, &cursors[i]);
     if (material.name.empty()) material.name = "materials[" + std::to_string(i) + "]";
     note_unused(from, &cursors[i], notes, material.name);
-    const auto& info = from.pbrMetallicRoughness.baseColorTexture;
-    if (info.index >= 0) {
-      material.base_color_texture = loader.load(info.index);
-      if (!material.base_color_texture)
-        notes.push_back("material " + material.name + ": its texture has no picture");
-    }
+    TextureAssigner(loader, material, resolved.texture_uses.emplace_back(), notes).assign_all(from);
     resolved.materials.push_back(std::move(material));
-    resolved.texture_uses.push_back(texture_use(info));
   }
   Material fallback = resolve_material(tinygltf::Material(), nullptr);
   fallback.name = "default";

@@ -4,8 +4,14 @@
 //   gives a
 //                                                  thickness > 0 (then sigma_a = -ln(colour) /
 //                                                  distance)
+//                                                  ior = 0: a white Mirror, reflects everything
 //   metallic >= 0.5 and roughness <= 0.2           Mirror, F0 = base colour
 //   anything else                                  Diffuse (Phong)
+//
+// The factors alone decide the kind, textures do not: a metallic-roughness texture changes a
+// Diffuse material's Phong terms from point to point, and is not read for mirrors, which are smooth
+// throughout. Where a transmission texture (or factor) lets less than everything through glass, the
+// rest is scattered back by a Lambertian surface of the base colour.
 #pragma once
 
 #include <optional>
@@ -13,25 +19,18 @@
 #include <vector>
 
 #include "scene/gltf_model.h"
+#include "scene/gltf_textures.h"
 #include "scene/scene.h"
 
 namespace amalgam::scene {
 
-// How a primitive of this material finds its texture coordinates (KHR_texture_transform is applied
-// to the coordinates when the mesh is read).
-struct TextureUse {
-  int uv_set = 0;  // n of TEXCOORD_n
-  glm::vec2 offset{0.0f};
-  glm::vec2 scale{1.0f};
-  float rotation = 0.0f;  // radians, counter-clockwise
-};
-
 struct ResolvedMaterials {
-  std::vector<Material> materials;       // one for each of the file, then the default one
-  std::vector<TextureUse> texture_uses;  // as many
+  std::vector<Material> materials;  // one for each of the file, then the default one
+  // As many: what Mesh::uvs and Mesh::second_uvs are for meshes of the material, at most two.
+  std::vector<std::vector<TextureUse>> texture_uses;
 };
 
-// Decodes only pictures that a base colour uses; adds those to textures. Adds to notes. Throws
+// Decodes only pictures that are used; adds those to textures. Adds to notes. Throws
 // SceneError.
 ResolvedMaterials resolve_materials(const GltfModel& gltf, std::vector<Texture>& textures,
                                     std::vector<std::string>& notes);

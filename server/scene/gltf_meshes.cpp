@@ -1,11 +1,13 @@
 #include "scene/gltf_meshes.h"
 
 #include <cmath>
+#include <glm/common.hpp>
 #include <limits>
 #include <numeric>
 
 #include "scene/gltf_accessor.h"
 #include "scene/mesh_repair.h"
+#include "scene/mesh_tangents.h"
 #include "scene/scene_error.h"
 
 namespace amalgam::scene {
@@ -70,6 +72,19 @@ void transform_uvs(std::vector<glm::vec2>& uvs, const TextureUse& use) {
   }
 }
 
+// Alpha is 1 where the file gives RGB only. Colours are linear (glTF 2.0, 3.7.2.1) and at most 1.
+std::vector<glm::vec4> read_colors(const tinygltf::Model& model, int accessor) {
+  const bool alpha = model.accessors[static_cast<std::size_t>(accessor)].type == TINYGLTF_TYPE_VEC4;
+  std::vector<glm::vec4> colors;
+  if (alpha) {
+    colors = read_vec4(model, accessor);
+  } else {
+    for (const glm::vec3& rgb : read_vec3(model, accessor)) colors.emplace_back(rgb, 1.0f);
+  }
+  for (glm::vec4& color : colors) color = glm::clamp(color, 0.0f, 1.0f);
+  return colors;
+}
+
 bool is_triangles(int mode) {
   return mode == TINYGLTF_MODE_TRIANGLES || mode == TINYGLTF_MODE_TRIANGLE_STRIP ||
          mode == TINYGLTF_MODE_TRIANGLE_FAN;
@@ -107,18 +122,29 @@ std::vector<ReadPrimitive> read_primitives(const GltfModel& gltf, std::size_t me
     }
     out.mesh.triangles = triangles_of(order, primitive.mode);
     if (attribute("NORMAL") >= 0) out.mesh.normals = read_vec3(model, attribute("NORMAL"));
-    const TextureUse& use = materials.texture_uses[out.material];
-    if (materials.materials[out.material].base_color_texture) {
-      const int uvs = attribute("TEXCOORD_" + std::to_string(use.uv_set));
-      if (uvs < 0) note("has no texture coordinates for its texture");
-      if (uvs >= 0) out.mesh.uvs = read_vec2(model, uvs);
-      transform_uvs(out.mesh.uvs, use);
+    const Material& material = materials.materials[out.material];
+    const std::vector<TextureUse>& uses = materials.texture_uses[out.material];
+    for (std::size_t i_use = 0; i_use < uses.size(); ++i_use) {
+      const int uvs = attribute("TEXCOORD_" + std::to_string(uses[i_use].uv_set));
+      if (uvs < 0) {
+        note("has no texture coordinates for its texture");
+        continue;
+      }
+      auto& read_uvs = i_use == 0 ? out.mesh.uvs : out.mesh.second_uvs;
+      read_uvs = read_vec2(model, uvs);
+      transform_uvs(read_uvs, uses[i_use]);
     }
-    if (attribute("COLOR_0") >= 0) note("vertex colours ignored");
+    if (attribute("COLOR_0") >= 0) out.mesh.colors = read_colors(model, attribute("COLOR_0"));
+    // Tangents say nothing where the file leaves normals to the reader (glTF 2.0, 3.7.2.1).
+    if (attribute("TANGENT") >= 0 && material.normal_texture && !out.mesh.normals.empty())
+      out.mesh.tangents = read_vec4(model, attribute("TANGENT"));
     if (!primitive.targets.empty()) note("morph targets ignored");
 
     const MeshRepairs repairs = repair_mesh(out.mesh);
     if (repairs.any()) note(repairs.describe());
+    if (material.normal_texture) {
+      complete_tangents(out.mesh, material.reads_second_uvs(TextureSlot::Normal));
+    }
     if (out.mesh.triangles.empty()) {
       note("has no triangles");
       continue;

@@ -1,6 +1,8 @@
 // What a surface is made of, resolved from glTF into the three kinds that Amalgam renders.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -19,13 +21,34 @@ constexpr bool is_specular(MaterialKind kind) {
   return kind != MaterialKind::Diffuse;
 }
 
+// What a material's textures are for. Values are indices and bit numbers.
+enum class TextureSlot : std::uint8_t {
+  BaseColor,          // sRGB; multiplies base_color, alpha too
+  MetallicRoughness,  // linear; B multiplies metallic, G roughness
+  Emissive,           // sRGB; multiplies emission
+  Transmission,       // linear; R multiplies transmission
+  Normal,             // linear; tangent space, 2 rgb - 1
+};
+constexpr std::size_t kTextureSlots = 5;
+constexpr std::array<TextureSlot, kTextureSlots> kAllTextureSlots{
+    TextureSlot::BaseColor, TextureSlot::MetallicRoughness, TextureSlot::Emissive,
+    TextureSlot::Transmission, TextureSlot::Normal};
+
 struct Material {
   std::string name;
   MaterialKind kind = MaterialKind::Diffuse;
 
   glm::vec4 base_color{1.0f};  // linear RGB in [0,1], alpha
-  std::optional<std::uint32_t>
-      base_color_texture{};  // index into Scene::textures; multiplies base_color
+
+  // Indices into Scene::textures; see TextureSlot.
+  std::optional<std::uint32_t> base_color_texture{};
+  std::optional<std::uint32_t> metallic_roughness_texture{};
+  std::optional<std::uint32_t> emissive_texture{};
+  std::optional<std::uint32_t> transmission_texture{};
+  std::optional<std::uint32_t> normal_texture{};
+  float normal_scale = 1.0f;          // of the normal texture's x and y
+  std::uint32_t second_uv_slots = 0;  // bit n: slot n is read at Mesh::second_uvs, not Mesh::uvs
+
   glm::vec3 emission{0.0f};  // scene-linear radiance, strength included
   float metallic = 0.0f;     // [0,1]
   float roughness = 1.0f;    // [0,1], glTF's perceptual roughness
@@ -33,9 +56,16 @@ struct Material {
   std::optional<float> alpha_cutoff{};  // set: alpha mode MASK
 
   // Dielectric only.
-  float ior = 1.5f;            // >= 1, relative to air
-  bool thin = false;           // no volume: rays pass undeviated
+  float transmission = 1.0f;  // [0,1]: share of the light not reflected that goes through; the rest
+                              // is scattered back diffusely
+  float ior = 1.5f;           // >= 1, relative to air; 0: infinite (a Mirror)
+  bool thin = false;          // no volume: rays pass undeviated
   glm::vec3 absorption{0.0f};  // Beer-Lambert sigma_a, 1/m (0 = clear)
+
+  std::optional<std::uint32_t> texture(TextureSlot slot) const;
+  bool reads_second_uvs(TextureSlot slot) const {
+    return (second_uv_slots >> static_cast<unsigned>(slot) & 1u) != 0;
+  }
 };
 
 // Phong's terms (eq. 4.6) of a diffuse material, for light of irradiance E arriving at cosine c >
@@ -51,7 +81,9 @@ struct PhongTerms {
   float exponent = 0.0f;  // [0, 1024]
 };
 
-// base_color: the material's base colour times texture and vertex colour at the point.
+// Everything at the point: the material's factors times textures and vertex colour.
+PhongTerms phong_terms(const glm::vec3& base_color, float metallic, float roughness);
+// A material without a metallic-roughness texture.
 PhongTerms phong_terms(const Material& material, const glm::vec3& base_color);
 
 // Schlick's R_m of a dielectric against air: ((n - 1) / (n + 1))^2.

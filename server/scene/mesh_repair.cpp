@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "scene/mesh_vertices.h"
+
 namespace amalgam::scene {
 namespace {
 
@@ -46,9 +48,8 @@ void split_and_compute_flat(Mesh& mesh) {
     const auto first = static_cast<std::uint32_t>(split.positions.size());
     const glm::vec3 normal(glm::normalize(area_vector(mesh, t)));
     for (int corner = 0; corner < 3; ++corner) {
-      split.positions.push_back(mesh.positions[t[corner]]);
+      append_vertex(split, mesh, t[corner]);
       split.normals.push_back(normal);
-      if (!mesh.uvs.empty()) split.uvs.push_back(mesh.uvs[t[corner]]);
     }
     split.triangles.emplace_back(first, first + 1, first + 2);
   }

@@ -29,16 +29,33 @@ struct Mesh {
   std::string name;
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;  // as many as positions
-  std::vector<glm::vec2> uvs;      // as many as positions, or none
+  // As many as positions, or none. Texture transforms are applied to the coordinates already.
+  std::vector<glm::vec2> uvs;
+  std::vector<glm::vec2> second_uvs;  // for textures placed in another way (Material)
+  std::vector<glm::vec4> colors;      // linear; multiply the base colour, alpha too
+  // xyz along +u (zero where there is no telling), w = +-1: cross(normal, tangent) w is the normal
+  // texture's +y. Only for materials with a normal texture.
+  std::vector<glm::vec4> tangents;
   std::vector<glm::uvec3> triangles;
 };
 
 enum class Wrap : std::uint8_t { Repeat, Mirror, Clamp };
 
-// Colour textures are sRGB-encoded as in the file; alpha is linear. uv (0, 0) is the top left
-// corner.
+// The texture coordinates that a texture of the material is read at on this mesh; none: not at all.
+inline const std::vector<glm::vec2>& uvs_of(const Mesh& mesh, const Material& material,
+                                            TextureSlot slot) {
+  return material.reads_second_uvs(slot) ? mesh.second_uvs : mesh.uvs;
+}
+inline bool has_texture(const Material& material, const Mesh& mesh, TextureSlot slot) {
+  return material.texture(slot) && !uvs_of(mesh, material, slot).empty();
+}
+
+// Colour textures are sRGB-encoded as in the file, others linear (material.h says which); alpha is
+// linear. uv (0, 0) is the top left corner.
 struct Texture {
   core::ImageRgba8 texels;
+  // Half the size each, down to 1x1; encoded as the texels. Empty: there is only the full size.
+  std::vector<core::ImageRgba8> mips;
   Wrap wrap_u = Wrap::Repeat;
   Wrap wrap_v = Wrap::Repeat;
 };

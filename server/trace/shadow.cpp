@@ -63,7 +63,8 @@ ShadowAttenuation trace_shadow(const EmbreeScene& scene, const Ray& ray) {
       if (real.blocked) break;
     } else {
       const float cosine = std::abs(glm::dot(point.shading_normal, segment.direction));
-      const float through = shadow_transmittance(cosine, material.ior, material.thin);
+      const float through =
+          point.transmission * shadow_transmittance(cosine, material.ior, material.thin);
       const float t = travelled + hit->t;
       const glm::vec3 depth =
           material.thin ? glm::vec3(0.0f) : material.absorption * (point.front ? -t : t);

@@ -4,15 +4,11 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "scene/texture_lookup.h"
+#include "trace/interpolate.h"
+#include "trace/texels.h"
 
 namespace amalgam::trace {
 namespace {
-
-template <typename V>
-V interpolate(const V& a, const V& b, const V& c, const glm::vec2& barycentric) {
-  return a * (1.0f - barycentric.x - barycentric.y) + b * barycentric.x + c * barycentric.y;
-}
 
 // A hit exactly on an edge belongs to two faces, and rounding can put it beyond the other one, from
 // where a secondary ray escapes. A millionth of the way towards the triangle's centre is inside.
@@ -37,7 +33,14 @@ glm::vec3 valid_shading_normal(const glm::vec3& geometric_normal, const glm::vec
   return length > 1e-6f ? half / length : geometric_normal;
 }
 
-SurfacePoint surface_point(const EmbreeScene& scene, const Hit& hit, const glm::vec3& direction) {
+scene::PhongTerms phong_terms_at(const SurfacePoint& point, scene::MaterialKind kind) {
+  const glm::vec3 color(point.base_color);
+  if (kind == scene::MaterialKind::Dielectric) return {.albedo = color};
+  return scene::phong_terms(color, point.metallic, point.roughness);
+}
+
+SurfacePoint surface_point(const EmbreeScene& scene, const Hit& hit, const glm::vec3& direction,
+                           float cone_width) {
   const scene::Instance& instance = scene.scene().instances[hit.instance];
   const scene::Mesh& mesh = scene.scene().meshes[instance.mesh];
   const scene::Material& material = scene.scene().materials[instance.material];
@@ -51,27 +54,31 @@ SurfacePoint surface_point(const EmbreeScene& scene, const Hit& hit, const glm::
                              glm::vec4(interpolate(a, b, c, pulled_inside(hit.barycentric)), 1.0f));
   // In double: the edges' product of a tiny triangle is below what float can hold.
   const glm::dvec3 area = glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a));
-  const auto outside =
-      glm::vec3(glm::normalize(glm::dmat3(placed.normal_from_mesh) * glm::normalize(area)));
+  const glm::dvec3 outwards = glm::dmat3(placed.normal_from_mesh) * glm::normalize(area);
+  const auto outside = glm::vec3(glm::normalize(outwards));
   glm::vec3 smooth =
       placed.normal_from_mesh * interpolate(mesh.normals[corners.x], mesh.normals[corners.y],
                                             mesh.normals[corners.z], hit.barycentric);
   const float length = glm::length(smooth);
   smooth = length > 0.0f ? smooth / length : outside;
 
+  const Texels texels(scene.scene(), hit,
+                      {.cosine = glm::dot(outside, direction),
+                       .cone_width = cone_width,
+                       .world_area_per_mesh_area = static_cast<float>(glm::length(outwards))});
+  smooth = texels.bent_normal(smooth, placed);
   point.front = glm::dot(outside, direction) < 0.0f;
   const float side = point.front ? 1.0f : -1.0f;
   point.geometric_normal = side * outside;
   point.shading_normal = side * smooth;
   point.material = instance.material;
   point.role = instance.role;
-  point.base_color = material.base_color;
-  if (material.base_color_texture && !mesh.uvs.empty()) {
-    const glm::vec2 uv =
-        interpolate(mesh.uvs[corners.x], mesh.uvs[corners.y], mesh.uvs[corners.z], hit.barycentric);
-    point.base_color *=
-        scene::sample_color_texture(scene.scene().textures[*material.base_color_texture], uv);
-  }
+  point.base_color = texels.base_color();
+  point.emission = texels.emission();
+  const glm::vec2 metallic_roughness = texels.metallic_roughness();
+  point.metallic = metallic_roughness.x;
+  point.roughness = metallic_roughness.y;
+  point.transmission = texels.transmission();
   if (scene::is_specular(material.kind)) {
     point.shading_normal =
         valid_shading_normal(point.geometric_normal, point.shading_normal, -direction);

@@ -16,14 +16,24 @@ struct SurfacePoint {
   glm::vec3 geometric_normal{0.0f};  // unit, on the side that the ray came from
   glm::vec3 shading_normal{0.0f};    // unit, interpolated; same side; bent so that neither the view
                                      // nor its reflection is below the surface
-  glm::vec4 base_color{1.0f};        // material's times texture's, linear; alpha
+  // The material's times its textures' (and, of the colour, times the vertices').
+  glm::vec4 base_color{1.0f};  // linear; alpha
+  glm::vec3 emission{0.0f};    // scene-linear radiance
+  float metallic = 0.0f, roughness = 1.0f;
+  float transmission = 1.0f;  // of glass
   std::uint32_t material = 0;
   scene::Role role = scene::Role::Virtual;
   bool front = true;  // the ray came from the outer side (counter-clockwise corners)
 };
 
-// direction: the ray's, unit.
-SurfacePoint surface_point(const EmbreeScene& scene, const Hit& hit, const glm::vec3& direction);
+// direction: the ray's, unit. cone_width: metres across the ray's cone at the hit, which decides on
+// the textures' level of detail (scene/texture_lookup.h); 0: the finest.
+SurfacePoint surface_point(const EmbreeScene& scene, const Hit& hit, const glm::vec3& direction,
+                           float cone_width = 0.0f);
+
+// What a diffuse surface does at the point, or what glass does with the light that it neither
+// reflects nor lets through: that is Lambertian, because its mirror image is traced.
+scene::PhongTerms phong_terms_at(const SurfacePoint& point, scene::MaterialKind kind);
 
 // Bends a shading normal until the reflection of the view about it leaves the surface at a small
 // angle at least (numerics B10: Keller's method with the threshold of Cycles'

@@ -26,6 +26,11 @@ float importance(const glm::vec3& weight) {
   return std::max({weight.x, weight.y, weight.z});
 }
 
+// Angle between neighbouring samples at the image's centre, radians: how a ray's cone widens.
+double sample_spread(const TraceRequest& request) {
+  return 1.0 / (request.camera.fy * request.samples_per_side);
+}
+
 }  // namespace
 
 Tile::Tile(const TraceRequest& request, const CameraLookup* lookup, int x, int y)
@@ -118,7 +123,10 @@ void Tile::shade_hits() {
             {core::LightSource::Environment, item.ray.direction, item.weight, item.sample});
       continue;
     }
-    const SurfacePoint point = surface_point(request_.scene, *hits_[i], item.ray.direction);
+    const float cone_width =
+        static_cast<float>(sample_spread(request_)) * (item.path_length + hits_[i]->t);
+    const SurfacePoint point =
+        surface_point(request_.scene, *hits_[i], item.ray.direction, cone_width);
     const scene::Material& material = request_.scene.scene().materials[point.material];
     glm::vec3 weight = item.weight;
     if (const auto medium = item.media.innermost()) {  // Beer-Lambert on the way here
@@ -151,13 +159,16 @@ void Tile::scatter(const RayItem& item, const SurfacePoint& point, const glm::ve
   const glm::dvec3 direction(item.ray.direction), normal(point.shading_normal);
   const double cos_incident = std::clamp(-glm::dot(direction, normal), 0.0, 1.0);
   const glm::vec3 reflected(glm::normalize(reflect(direction, normal)));
+  const glm::vec3 glow = weight * point.emission;
+  samples_[item.sample].mixed += glow;
+  if (point.role == scene::Role::Real) samples_[item.sample].real += glow;
   if (material.kind == scene::MaterialKind::Mirror) {
     const glm::vec3 k_s =
         reflectance_conductor(glm::vec3(point.base_color), static_cast<float>(cos_incident));
     spawn(item, point, reflected, weight * k_s, RayKind::Reflection, item.media);
     return;
   }
-  const glm::vec3 tint(point.base_color);
+  const glm::vec3 tint = point.transmission * glm::vec3(point.base_color);
   if (material.thin) {
     const double ior = material.ior;
     const auto k_s = static_cast<float>(
@@ -165,6 +176,7 @@ void Tile::scatter(const RayItem& item, const SurfacePoint& point, const glm::ve
     spawn(item, point, reflected, weight * k_s, RayKind::Reflection, item.media);
     spawn(item, point, item.ray.direction, weight * tint * (1.0f - k_s), RayKind::Refraction,
           item.media);
+    scatter_back(item, point, weight * (1.0f - k_s));
     return;
   }
   const auto& materials = request_.scene.scene().materials;
@@ -187,7 +199,18 @@ void Tile::scatter(const RayItem& item, const SurfacePoint& point, const glm::ve
   if (refracted) {
     spawn(item, point, glm::vec3(*refracted), weight * tint * (1.0f - k_s), RayKind::Refraction,
           beyond);
+    scatter_back(item, point, weight * (1.0f - k_s));
   }
+}
+
+// What glass neither reflects nor lets through (its transmission texture) its surface scatters. It
+// is shaded as modelled and never looked up: the camera sees all of the surface there and not this
+// share of it.
+void Tile::scatter_back(const RayItem& item, const SurfacePoint& point, const glm::vec3& weight) {
+  const float share = 1.0f - point.transmission;
+  if (!(share > 0.0f)) return;
+  constexpr bool kSeenDirectly = true;
+  diffuse_.push_back({point, -item.ray.direction, share * weight, item.sample, kSeenDirectly});
 }
 
 // Masked-out texels are not there. No surface was met, so the depth stays; each step moves on along
@@ -195,6 +218,7 @@ void Tile::scatter(const RayItem& item, const SurfacePoint& point, const glm::ve
 void Tile::pass_straight(const RayItem& item, const SurfacePoint& point, const glm::vec3& weight) {
   RayItem next = item;
   next.ray.origin = offset_from_surface(point.position, -point.geometric_normal);
+  next.path_length += glm::distance(next.ray.origin, item.ray.origin);
   next.weight = weight;
   waiting_.push_back(next);
 }
@@ -215,6 +239,7 @@ void Tile::spawn(const RayItem& parent, const SurfacePoint& point, const glm::ve
                kInfinity};
   child.weight = weight;
   child.media = media;
+  child.path_length = parent.path_length + glm::distance(point.position, parent.ray.origin);
   child.sample = parent.sample;
   child.depth = static_cast<std::uint16_t>(parent.depth + 1);
   child.kind = kind;
@@ -242,8 +267,10 @@ void Tile::spawn_shadow_rays() {
   for (std::uint32_t d = 0; d < diffuse_.size(); ++d) {
     const DiffuseItem& item = diffuse_[d];
     const scene::Material& material = request_.scene.scene().materials[item.point.material];
-    const scene::PhongTerms terms = scene::phong_terms(material, glm::vec3(item.point.base_color));
-    radiance_[d] = {material.emission, material.emission};
+    const scene::PhongTerms terms = phong_terms_at(item.point, material.kind);
+    // What glows of glass was added where the ray met it.
+    if (!scene::is_specular(material.kind))
+      radiance_[d] = {item.point.emission, item.point.emission};
     const glm::vec3 origin = offset_from_surface(item.point.position, item.point.geometric_normal);
     for (const scene::Light& light : request_.lights) {
       const scene::LightArrival arrival = scene::light_arrival(light, item.point.position);

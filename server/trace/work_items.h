@@ -24,6 +24,7 @@ struct RayItem {
   glm::vec3 weight{
       1.0f};    // product of the k_s and k_t so far; its largest channel is the importance
   Media media;  // the dielectrics that the ray is inside of
+  float path_length = 0.0f;  // metres from the camera to ray.origin: how wide the ray's cone is
   std::uint32_t sample = 0;
   std::uint16_t depth = 0;  // specular surfaces met so far
   RayKind kind = RayKind::Primary;

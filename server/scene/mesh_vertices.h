@@ -1,0 +1,25 @@
+// Copies a vertex with all the attributes that a mesh has, where one vertex must become two.
+#pragma once
+
+#include <cstddef>
+
+#include "scene/scene.h"
+
+namespace amalgam::scene {
+
+// Attributes that `from` lacks are not added. The same mesh may be both.
+inline void append_vertex(Mesh& to, const Mesh& from, std::size_t vertex) {
+  const auto copy = [vertex](auto& out, const auto& in) {
+    if (in.empty()) return;
+    const auto value = in[vertex];  // `in` may be `out`, which may grow
+    out.push_back(value);
+  };
+  copy(to.positions, from.positions);
+  copy(to.normals, from.normals);
+  copy(to.uvs, from.uvs);
+  copy(to.second_uvs, from.second_uvs);
+  copy(to.colors, from.colors);
+  copy(to.tangents, from.tangents);
+}
+
+}  // namespace amalgam::scene

@@ -1,0 +1,22 @@
+// Attributes of a triangle's corners at a point in it.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <vector>
+
+namespace amalgam::trace {
+
+// barycentric: weights of the second and third corner.
+template <typename V>
+V interpolate(const V& a, const V& b, const V& c, const glm::vec2& barycentric) {
+  return a * (1.0f - barycentric.x - barycentric.y) + b * barycentric.x + c * barycentric.y;
+}
+
+template <typename V>
+V interpolate(const std::vector<V>& values, const glm::uvec3& corners,
+              const glm::vec2& barycentric) {
+  return interpolate(values[corners.x], values[corners.y], values[corners.z], barycentric);
+}
+
+}  // namespace amalgam::trace

@@ -1,0 +1,56 @@
+// Trilinear look-ups as scene/texture_lookup.cpp has them.
+//
+// Texels are fetched as bytes, decoded by the table that the CPU uses and mixed here, because the
+// drivers' samplers mix with 8-bit weights (llvmpipe, most GPUs) or decode by an approximation, and
+// the tracer would then see other colours than the rasteriser. The level of detail is the tracer's
+// too, from ray cones; a driver's derivatives are another one.
+
+float decode_texel(uint byte, bool is_color) {
+  return is_color ? srgb_table[byte >> 2][byte & 3u] : float(byte) / 255.0;
+}
+
+int wrap_texel(int i, int size, uint wrap) {  // 0 repeat, 1 mirror, 2 clamp
+  if (wrap == 2u) return clamp(i, 0, size - 1);
+  int period = wrap == 0u ? size : 2 * size;
+  // The remainder of a negative number is undefined in GLSL.
+  int m = i >= 0 ? i % period : period - 1 - (-1 - i) % period;
+  return m < size ? m : period - 1 - m;
+}
+
+vec4 decoded_texel(usampler2D map, ivec2 at, bool is_color) {
+  uvec4 texel = texelFetch(map, at, 0);
+  return vec4(decode_texel(texel.r, is_color), decode_texel(texel.g, is_color),
+              decode_texel(texel.b, is_color), float(texel.a) / 255.0);
+}
+
+// Where a level is, and its size: the full one at the left, the others below each other at its right.
+vec4 sample_level(usampler2D map, ivec2 full, vec2 uv, uvec2 wrap, int level, bool is_color) {
+  ivec2 at = ivec2(level == 0 ? 0 : full.x, 0);
+  for (int above = 1; above < level; ++above) at.y += max(full.y >> above, 1);
+  ivec2 size = max(full >> level, 1);
+  vec2 p = uv * vec2(size) - 0.5;
+  if (!(abs(p.x) < 1e9) || !(abs(p.y) < 1e9)) return vec4(0.0, 0.0, 0.0, 1.0);
+  vec2 whole = floor(p);
+  vec2 f = p - whole;
+  int x0 = at.x + wrap_texel(int(whole.x), size.x, wrap.x);
+  int x1 = at.x + wrap_texel(int(whole.x) + 1, size.x, wrap.x);
+  int y0 = at.y + wrap_texel(int(whole.y), size.y, wrap.y);
+  int y1 = at.y + wrap_texel(int(whole.y) + 1, size.y, wrap.y);
+  return mix(mix(decoded_texel(map, ivec2(x0, y0), is_color),
+                 decoded_texel(map, ivec2(x1, y0), is_color), f.x),
+             mix(decoded_texel(map, ivec2(x0, y1), is_color),
+                 decoded_texel(map, ivec2(x1, y1), is_color), f.x), f.y);
+}
+
+// full: size of level 0. footprint: area in uv that the sample covers.
+vec4 sample_map(usampler2D map, ivec2 full, vec2 uv, uvec2 wrap, float footprint, bool is_color) {
+  bool has_mips = textureSize(map, 0).x > full.x;
+  float texels = footprint * (float(full.x) * float(full.y));
+  if (!(texels > 1.0) || !has_mips) return sample_level(map, full, uv, wrap, 0, is_color);
+  int coarsest = findMSB(max(full.x, full.y));
+  float lod = min(0.5 * log2(texels), float(coarsest));
+  int level = int(floor(lod));
+  vec4 fine = sample_level(map, full, uv, wrap, level, is_color);
+  if (level == coarsest) return fine;
+  return mix(fine, sample_level(map, full, uv, wrap, level + 1, is_color), lod - float(level));
+}
