@@ -7,11 +7,13 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "core/camera_model.h"
+#include "core/fisheye_model.h"
 #include "core/image.h"
 #include "core/pose.h"
 #include "core/provenance.h"
@@ -76,6 +78,14 @@ struct FrameFailure {
 };
 using FrameResult = std::variant<FrameOutput, FrameFailure>;
 
+// What is around the scene, as a JPEG: low dynamic range.
+struct EnvironmentInput {
+  Bytes image;
+  enum class Projection { Equirectangular, Fisheye } projection = Projection::Equirectangular;
+  core::FisheyeModel fisheye;                         // of a fish-eye image
+  glm::dquat world_from_fisheye{1.0, 0.0, 0.0, 0.0};  // unit; the world's axes are glTF's
+};
+
 using ViewId = std::uint64_t;
 
 // Renders for many views (a view is one client's camera onto the scene). All functions may be
@@ -96,6 +106,11 @@ class FrameService {
 
   // After this returns, deliver is never called again for the view.
   virtual void close_view(ViewId view) = 0;
+
+  // Applies to all views of the scene from the next frame on. done is called on the render thread,
+  // with nothing or with what was wrong; it must be quick and must not throw.
+  virtual void set_environment(EnvironmentInput input,
+                               std::function<void(std::optional<std::string> error)> done) = 0;
 
   // Markers that a client should look for: ids in the scene, world marker first.
   struct MarkerSet {

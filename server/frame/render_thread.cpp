@@ -7,6 +7,7 @@
 #include "codec/jpeg.h"
 #include "core/log.h"
 #include "frame/default_view.h"
+#include "frame/environment_input.h"
 #include "frame/frame_renderer.h"
 #include "frame/view_state.h"
 #include "scene/gltf_loader.h"
@@ -99,6 +100,29 @@ void RenderThread::close_view(ViewId id) {
   view->closed = true;
 }
 
+void RenderThread::set_environment(EnvironmentInput input,
+                                   std::function<void(std::optional<std::string> error)> done) {
+  std::optional<NewEnvironment> replaced;
+  {
+    const std::lock_guard lock(mutex_);
+    replaced = environment_.put({std::move(input), std::move(done)});
+    has_environment_ = true;
+  }
+  work_.notify_one();
+  if (replaced) replaced->done("replaced by a newer environment before it was used");
+}
+
+void RenderThread::apply_environment(FrameRenderer& renderer) {
+  auto update = environment_.take();
+  if (!update) return;
+  try {
+    renderer.set_environment(make_environment(update->input));
+    update->done(std::nullopt);
+  } catch (const std::exception& error) {
+    update->done(error.what());
+  }
+}
+
 void RenderThread::run(std::stop_token stop, const std::string& scene_path,
                        const RenderServiceOptions& options, std::promise<MarkerSet>& started) {
   std::optional<FrameRenderer> renderer;
@@ -111,19 +135,29 @@ void RenderThread::run(std::stop_token stop, const std::string& scene_path,
     return;
   }
   // From here on neither the options nor the promise may be touched: the constructor has returned.
-  while (const auto view = wait_for_work(stop)) serve(*renderer, *view);
+  while (wait_for_work(stop)) {
+    apply_environment(*renderer);
+    if (const auto view = take_next_view()) serve(*renderer, *view);
+  }
 }
 
-std::shared_ptr<RenderThread::View> RenderThread::wait_for_work(std::stop_token stop) {
+RenderThread::Views::iterator RenderThread::find_next_view() {
+  const auto has_work = [](const auto& entry) { return entry.second->has_work; };
+  const auto after = std::find_if(views_.upper_bound(last_served_), views_.end(), has_work);
+  return after != views_.end() ? after : std::find_if(views_.begin(), views_.end(), has_work);
+}
+
+bool RenderThread::wait_for_work(std::stop_token stop) {
   std::unique_lock lock(mutex_);
-  const auto next_view = [&] {
-    const auto has_work = [](const auto& entry) { return entry.second->has_work; };
-    const auto after = std::find_if(views_.upper_bound(last_served_), views_.end(), has_work);
-    return after != views_.end() ? after : std::find_if(views_.begin(), views_.end(), has_work);
-  };
-  work_.wait(lock, stop, [&] { return next_view() != views_.end(); });
-  if (stop.stop_requested()) return nullptr;
-  const auto next = next_view();
+  work_.wait(lock, stop, [&] { return has_environment_ || find_next_view() != views_.end(); });
+  has_environment_ = false;
+  return !stop.stop_requested();
+}
+
+std::shared_ptr<RenderThread::View> RenderThread::take_next_view() {
+  const std::lock_guard lock(mutex_);
+  const auto next = find_next_view();
+  if (next == views_.end()) return nullptr;
   next->second->has_work = false;
   last_served_ = next->first;
   return next->second;

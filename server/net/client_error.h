@@ -21,7 +21,8 @@ struct ClientError : std::runtime_error {
 inline bool is_survivable(protocol::Error::Code code) {
   using protocol::Error;
   return code == Error::POSE_REJECTED || code == Error::BAD_IMAGE ||
-         code == Error::TOO_MANY_POSES || code == Error::UNSUPPORTED;
+         code == Error::TOO_MANY_POSES || code == Error::UNSUPPORTED ||
+         code == Error::BAD_ENVIRONMENT;
 }
 
 }  // namespace amalgam::net

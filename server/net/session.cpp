@@ -8,18 +8,14 @@
 
 #include "core/log.h"
 #include "net/tcp_options.h"
-#include "net/token.h"
 #include "net/wire.h"
 #include "protocol/limits.h"
 
 namespace amalgam::net {
-namespace {
 
 namespace asio = boost::asio;
 using protocol::Envelope;
 using protocol::Error;
-
-}  // namespace
 
 Session::Session(asio::ip::tcp::socket socket, ConnectionLimits::Ticket ticket, std::uint64_t id,
                  SessionContext& context)
@@ -81,8 +77,8 @@ void Session::take(std::span<const std::byte> input) {
 
 void Session::visit(const Envelope& envelope) {
   const Envelope::BodyCase body = envelope.body_case();
-  if (state_ == State::AwaitingHello && body != Envelope::kHello &&
-      body != Envelope::BODY_NOT_SET) {
+  const bool may_come_first = body == Envelope::kHello || body == Envelope::BODY_NOT_SET;
+  if (state_ == State::AwaitingHello && !may_come_first) {
     throw ClientError(Error::UNEXPECTED_MESSAGE, "a message before the hello");
   }
   switch (body) {
@@ -91,7 +87,7 @@ void Session::visit(const Envelope& envelope) {
     case Envelope::kCameraFrame:
       return on_camera_frame(envelope.camera_frame());
     case Envelope::kEnvironment:
-      throw ClientError(Error::UNSUPPORTED, "environment images from clients");
+      return on_environment(envelope.environment());
     case Envelope::kPing:
       return on_ping(envelope.ping());
     case Envelope::kPong:
@@ -113,24 +109,9 @@ void Session::on_hello(const protocol::Hello& hello) {
   if (state_ != State::AwaitingHello) {
     throw ClientError(Error::UNEXPECTED_MESSAGE, "a second hello");
   }
-  if (hello.version() != protocol::kProtocolVersion) {
-    throw ClientError(Error::UNSUPPORTED_VERSION, "version " + std::to_string(hello.version()) +
-                                                      "; this server speaks " +
-                                                      std::to_string(protocol::kProtocolVersion));
-  }
-  const std::string& token = context_.config.token;
-  if (!token.empty() && !tokens_equal(hello.token(), token)) {
-    throw ClientError(Error::AUTH_FAILED, "the token is wrong");
-  }
+  check_admission(hello, context_.config.token);
   const frame::ViewOptions options = view_options_from(hello);
-  view_ = context_.service.open_view(
-      options, [executor = socket_.get_executor(), weak = weak_from_this()](
-                   std::uint64_t number, frame::FrameResult result) {
-        asio::post(executor, [weak, number, result = std::move(result)]() mutable {
-          const auto self = weak.lock();
-          if (self) self->guarded([&] { self->on_rendered(number, std::move(result)); });
-        });
-      });
+  view_ = context_.service.open_view(options, posting(&Session::on_rendered));
   camera_ = options.camera;
   state_ = State::Running;
   ticket_->authenticated();
@@ -170,23 +151,43 @@ std::vector<core::MarkerPose> Session::usable_poses(const protocol::CameraFrame&
   PoseMemory::Resolved resolved = pose_memory_.resolve(poses_from(frame), Clock::now());
   if (!resolved.rejected.empty()) {
     context_.metrics.pose_held_or_dropped(resolved.rejected.size());
-    std::string markers;
-    for (const int marker : resolved.rejected) markers += " " + std::to_string(marker);
-    answer(ClientError(
-        Error::POSE_REJECTED,
-        "poses that are not finite, not of unit length or too far, of markers" + markers,
-        frame.frame_id()));
+    answer(poses_rejected(resolved.rejected, frame.frame_id()));
   }
   return std::move(resolved.poses);
 }
 
+void Session::on_environment(const protocol::Environment& environment) {
+  if (state_ == State::Draining) return;
+  EnvironmentSlot::Offered offered = environments_.offer(environment_from(environment));
+  apply(std::move(offered.now));
+  if (offered.replaced) {
+    throw ClientError(Error::BAD_ENVIRONMENT, "replaced by a newer one before it was used");
+  }
+}
+
+void Session::apply(std::optional<frame::EnvironmentInput> environment) {
+  if (!environment) return;
+  context_.service.set_environment(std::move(*environment),
+                                   posting(&Session::on_environment_applied));
+}
+
 void Session::on_ping(const protocol::Ping& ping) {
-  Envelope envelope;
-  envelope.mutable_pong()->set_nonce(ping.nonce());
-  send(envelope);
+  send(pong_message(ping.nonce()));
 }
 
 // --- what the renderer says ---
+
+// What the renderer calls on its own thread becomes a call on the network's, if the session still
+// lives by then.
+template <typename... Args>
+std::function<void(Args...)> Session::posting(void (Session::*handler)(Args...)) {
+  return [executor = socket_.get_executor(), weak = weak_from_this(), handler](Args... args) {
+    asio::post(executor, [weak, handler, ... args = std::move(args)]() mutable {
+      const auto self = weak.lock();
+      if (self) self->guarded([&] { ((*self).*handler)(std::move(args)...); });
+    });
+  };
+}
 
 void Session::on_rendered(std::uint64_t number, frame::FrameResult result) {
   const std::optional<FrameLedger::Entry> frame = ledger_.deliver(number);
@@ -207,6 +208,12 @@ void Session::on_rendered(std::uint64_t number, frame::FrameResult result) {
       return answer(
           ClientError(Error::INTERNAL, "the frame could not be rendered", frame->frame_id));
   }
+}
+
+void Session::on_environment_applied(std::optional<std::string> error) {
+  if (!is_open()) return;
+  if (error) answer(ClientError(Error::BAD_ENVIRONMENT, *error));
+  apply(environments_.done());
 }
 
 void Session::send_composite(const FrameLedger::Entry& frame, const frame::FrameOutput& output) {
@@ -269,11 +276,7 @@ void Session::on_time(const ErrorCode& ec) {
     return wait();
   }
   if (const auto passed = deadlines_.passed(now)) return on_passed(*passed);
-  if (deadlines_.ping_due(now)) {
-    Envelope envelope;
-    envelope.mutable_ping()->set_nonce(++pings_);
-    send(envelope);
-  }
+  if (deadlines_.ping_due(now)) send(ping_message(++pings_));
   wait();
 }
 
@@ -344,9 +347,7 @@ void Session::finish_sending() {
 
 void Session::drain(std::chrono::milliseconds deadline) {
   if (state_ != State::AwaitingHello && state_ != State::Running) return;
-  Envelope envelope;
-  envelope.mutable_draining()->set_deadline_ms(static_cast<std::uint32_t>(deadline.count()));
-  send(envelope);
+  send(draining_message(deadline));
   if (state_ == State::AwaitingHello) return close(context_.config.session.linger);
   state_ = State::Draining;
   close_if_drained();

@@ -20,6 +20,7 @@
 #include "net/client_error.h"
 #include "net/connection_limits.h"
 #include "net/deadlines.h"
+#include "net/environment_slot.h"
 #include "net/frame_ledger.h"
 #include "net/metrics.h"
 #include "net/pose_memory.h"
@@ -72,9 +73,14 @@ class Session : public std::enable_shared_from_this<Session> {
   void visit(const protocol::Envelope& envelope);
   void on_hello(const protocol::Hello& hello);
   void on_camera_frame(const protocol::CameraFrame& frame);
+  void on_environment(const protocol::Environment& environment);
+  void apply(std::optional<frame::EnvironmentInput> environment);
   void on_ping(const protocol::Ping& ping);
   std::vector<core::MarkerPose> usable_poses(const protocol::CameraFrame& frame);
 
+  template <typename... Args>
+  std::function<void(Args...)> posting(void (Session::*handler)(Args...));
+  void on_environment_applied(std::optional<std::string> error);
   void on_rendered(std::uint64_t number, frame::FrameResult result);
   void send_composite(const FrameLedger::Entry& frame, const frame::FrameOutput& output);
 
@@ -120,6 +126,7 @@ class Session : public std::enable_shared_from_this<Session> {
   core::CameraModel camera_;
   PoseMemory pose_memory_;
   CaptureClock capture_clock_;
+  EnvironmentSlot environments_;
   FrameLedger ledger_;
   std::uint64_t pings_ = 0;
 };

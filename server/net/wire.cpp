@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "net/token.h"
 #include "protocol/limits.h"
 
 namespace amalgam::net {
@@ -10,14 +11,17 @@ namespace {
 
 using protocol::Error;
 
-core::CameraModel camera_from(const protocol::Camera& wire) {
-  // Before the cast to int, and before anything looks at the camera's pixels.
-  if (wire.width() > protocol::kMaxSide || wire.height() > protocol::kMaxSide ||
-      std::uint64_t{wire.width()} * wire.height() > protocol::kMaxPixels) {
-    throw ClientError(Error::BAD_HELLO, "images of " + std::to_string(wire.width()) + " x " +
-                                            std::to_string(wire.height()) +
-                                            " pixels; at most 2048 x 2048 are accepted");
+// Before the cast to int, and before anything looks at the image's pixels.
+void check_size(std::uint32_t width, std::uint32_t height, Error::Code code) {
+  if (width > protocol::kMaxSide || height > protocol::kMaxSide ||
+      std::uint64_t{width} * height > protocol::kMaxPixels) {
+    throw ClientError(code, "images of " + std::to_string(width) + " x " + std::to_string(height) +
+                                " pixels; at most 2048 x 2048 are accepted");
   }
+}
+
+core::CameraModel camera_from(const protocol::Camera& wire) {
+  check_size(wire.width(), wire.height(), Error::BAD_HELLO);
   if (wire.distortion_size() > protocol::kMaxDistortion) {
     throw ClientError(Error::BAD_HELLO, std::to_string(wire.distortion_size()) +
                                             " distortion coefficients; at most 12 are accepted");
@@ -34,6 +38,17 @@ core::CameraModel camera_from(const protocol::Camera& wire) {
 }
 
 }  // namespace
+
+void check_admission(const protocol::Hello& hello, const std::string& token) {
+  if (hello.version() != protocol::kProtocolVersion) {
+    throw ClientError(Error::UNSUPPORTED_VERSION, "version " + std::to_string(hello.version()) +
+                                                      "; this server speaks " +
+                                                      std::to_string(protocol::kProtocolVersion));
+  }
+  if (!token.empty() && !tokens_equal(hello.token(), token)) {
+    throw ClientError(Error::AUTH_FAILED, "the token is wrong");
+  }
+}
 
 frame::ViewOptions view_options_from(const protocol::Hello& hello) {
   if (!hello.has_camera()) throw ClientError(Error::BAD_HELLO, "a hello without a camera");
@@ -63,6 +78,37 @@ std::vector<core::MarkerPose> poses_from(const protocol::CameraFrame& frame) {
   return poses;
 }
 
+frame::EnvironmentInput environment_from(const protocol::Environment& environment) {
+  if (environment.image().empty()) {
+    throw ClientError(Error::BAD_ENVIRONMENT, "an environment without an image");
+  }
+  frame::EnvironmentInput input;
+  if (environment.has_fisheye()) {
+    const protocol::Fisheye& wire = environment.fisheye();
+    check_size(wire.width(), wire.height(), Error::BAD_ENVIRONMENT);
+    input.projection = frame::EnvironmentInput::Projection::Fisheye;
+    input.fisheye = {.width = static_cast<int>(wire.width()),
+                     .height = static_cast<int>(wire.height()),
+                     .fx = wire.fx(),
+                     .fy = wire.fy(),
+                     .cx = wire.cx(),
+                     .cy = wire.cy(),
+                     .max_angle = wire.max_angle()};
+    const std::string defect = core::describe_defect(input.fisheye);
+    if (!defect.empty()) throw ClientError(Error::BAD_ENVIRONMENT, "fish-eye lens: " + defect);
+    core::MarkerPose turn;  // a rotation is judged as that of a pose
+    const protocol::Quaternion& q = wire.world_from_fisheye();
+    turn.rotation = glm::dquat(q.w(), q.x(), q.y(), q.z());
+    if (!core::is_usable(turn)) {
+      throw ClientError(Error::BAD_ENVIRONMENT,
+                        "fish-eye lens: its rotation is not of unit length");
+    }
+    input.world_from_fisheye = glm::normalize(turn.rotation);
+  }
+  input.image = bytes_from(environment.image());
+  return input;
+}
+
 frame::Bytes bytes_from(std::string_view bytes) {
   const auto* const begin = reinterpret_cast<const std::byte*>(bytes.data());
   return frame::Bytes(begin, begin + bytes.size());
@@ -86,6 +132,24 @@ protocol::Envelope welcome_message(std::uint64_t session, const SessionLimits& l
   return envelope;
 }
 
+protocol::Envelope ping_message(std::uint64_t nonce) {
+  protocol::Envelope envelope;
+  envelope.mutable_ping()->set_nonce(nonce);
+  return envelope;
+}
+
+protocol::Envelope pong_message(std::uint64_t nonce) {
+  protocol::Envelope envelope;
+  envelope.mutable_pong()->set_nonce(nonce);
+  return envelope;
+}
+
+protocol::Envelope draining_message(std::chrono::milliseconds deadline) {
+  protocol::Envelope envelope;
+  envelope.mutable_draining()->set_deadline_ms(static_cast<std::uint32_t>(deadline.count()));
+  return envelope;
+}
+
 protocol::Envelope error_message(const ClientError& error) {
   protocol::Envelope envelope;
   Error& wire = *envelope.mutable_error();
@@ -94,6 +158,12 @@ protocol::Envelope error_message(const ClientError& error) {
   wire.set_frame_id(error.frame_id);
   wire.set_closes(!is_survivable(error.code));
   return envelope;
+}
+
+ClientError poses_rejected(const std::vector<int>& markers, std::uint64_t frame_id) {
+  std::string text = "poses that are not finite, not of unit length or too far, of markers";
+  for (const int marker : markers) text.append(" ").append(std::to_string(marker));
+  return {Error::POSE_REJECTED, text, frame_id};
 }
 
 protocol::Composite composite_from(const frame::FrameOutput& output) {

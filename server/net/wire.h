@@ -2,6 +2,9 @@
 // checked here; ClientError says what was wrong.
 #pragma once
 
+#include <chrono>
+#include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -13,18 +16,32 @@
 
 namespace amalgam::net {
 
-// Size, camera and quality of a Hello (its version and token are the session's to check).
+// Version and token of a Hello; an empty token admits everybody. Throws
+// ClientError(UNSUPPORTED_VERSION or AUTH_FAILED).
+void check_admission(const protocol::Hello& hello, const std::string& token);
+
+// Size, camera and quality of a Hello.
 // Throws ClientError(BAD_HELLO).
 frame::ViewOptions view_options_from(const protocol::Hello& hello);
 
 // As sent, usable or not.
 std::vector<core::MarkerPose> poses_from(const protocol::CameraFrame& frame);
 
+// Throws ClientError(BAD_ENVIRONMENT) for a missing image and for a fish-eye lens that cannot be
+// used. The image itself is the renderer's to judge.
+frame::EnvironmentInput environment_from(const protocol::Environment& environment);
+
 frame::Bytes bytes_from(std::string_view bytes);
 
 protocol::Envelope welcome_message(std::uint64_t session, const SessionLimits& limits,
                                    const frame::FrameService::MarkerSet& markers);
+protocol::Envelope ping_message(std::uint64_t nonce);
+protocol::Envelope pong_message(std::uint64_t nonce);
+protocol::Envelope draining_message(std::chrono::milliseconds deadline);
 protocol::Envelope error_message(const ClientError& error);
+
+// The error of a frame with unusable poses of these markers.
+ClientError poses_rejected(const std::vector<int>& markers, std::uint64_t frame_id);
 
 // All but what the session knows: ids, times, poses and skipped frames.
 protocol::Composite composite_from(const frame::FrameOutput& output);

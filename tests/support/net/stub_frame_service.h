@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <condition_variable>
+#include <deque>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -62,6 +63,15 @@ class StubFrameService final : public frame::FrameService {
     changed_.notify_all();
   }
 
+  // Done at once unless held; a bad or crashing "JPEG" is answered as the renderer would.
+  void set_environment(frame::EnvironmentInput input,
+                       std::function<void(std::optional<std::string> error)> done) override {
+    std::unique_lock lock(mutex_);
+    environments_.push_back(std::move(input));
+    environments_done_.push_back(std::move(done));
+    changed_.notify_all();
+  }
+
   MarkerSet markers() const override { return {"DICT_6X6_250", 0.05, 40, {40, 23}}; }
 
   // From here on frames are taken but not finished, until release().
@@ -87,6 +97,13 @@ class StubFrameService final : public frame::FrameService {
   bool wait_views(std::size_t count) {
     return wait([&] { return views_.size() == count; });
   }
+  bool wait_environments(std::size_t count) {
+    return wait([&] { return environments_.size() >= count; });
+  }
+  std::vector<frame::EnvironmentInput> environments() const {
+    const std::lock_guard lock(mutex_);
+    return environments_;
+  }
   std::size_t opened() const {
     const std::lock_guard lock(mutex_);
     return opened_;
@@ -111,6 +128,15 @@ class StubFrameService final : public frame::FrameService {
   void render_frames() {
     std::unique_lock lock(mutex_);
     while (!ending_) {
+      if (!environments_done_.empty() && !held_) {
+        // The oldest one still to be answered.
+        const frame::Bytes& image =
+            environments_[environments_.size() - environments_done_.size()].image;
+        const auto done = std::move(environments_done_.front());
+        environments_done_.pop_front();
+        done(text_of(image) == kBadJpeg ? std::optional<std::string>("not a JPEG") : std::nullopt);
+        continue;
+      }
       const auto view = std::find_if(views_.begin(), views_.end(), [](const auto& entry) {
         return entry.second.waiting.has_value();
       });
@@ -128,9 +154,13 @@ class StubFrameService final : public frame::FrameService {
     }
   }
 
+  static std::string_view text_of(const frame::Bytes& bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+  }
+
   static frame::FrameResult render(const frame::FrameInput& input) {
     const auto& bytes = std::get<frame::Bytes>(input.image);
-    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    const std::string_view text = text_of(bytes);
     if (text == kBadJpeg) {
       return frame::FrameFailure{frame::FrameFailure::Kind::BadImage, "not a JPEG"};
     }
@@ -143,13 +173,15 @@ class StubFrameService final : public frame::FrameService {
     output.statistics.stages = {{"trace", 1.5}};
     output.statistics.passes = {{"composite", true, ""}, {"warp", false, "no lens distortion"}};
     output.statistics.rays.primary = 7;
-    output.statistics.pixels = {10, 5, 100};
+    output.statistics.pixels = {.virtual_pixels = 10, .specular = 5, .refined = 0, .total = 100};
     return output;
   }
 
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::map<frame::ViewId, View> views_;
+  std::vector<frame::EnvironmentInput> environments_;
+  std::deque<std::function<void(std::optional<std::string>)>> environments_done_;
   frame::ViewId last_view_ = 0;
   std::size_t opened_ = 0, submitted_ = 0, taken_ = 0;
   bool held_ = false, ending_ = false;

@@ -150,6 +150,12 @@ Envelope frame_message(std::uint64_t id, std::string_view jpeg) {
   return envelope;
 }
 
+protocol::Envelope environment_message(std::string_view jpeg) {
+  protocol::Envelope envelope;
+  envelope.mutable_environment()->set_image(std::string(jpeg));
+  return envelope;
+}
+
 void add_pose(Envelope& frame, int marker, double z) {
   protocol::Pose& pose = *frame.mutable_camera_frame()->add_poses();
   pose.set_marker(marker);

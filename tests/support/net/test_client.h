@@ -50,6 +50,7 @@ class TestClient {
 
 protocol::Envelope hello_message();  // a camera of 640 x 480, no token
 protocol::Envelope frame_message(std::uint64_t id, std::string_view jpeg = "jpeg");
+protocol::Envelope environment_message(std::string_view jpeg);  // equirectangular
 void add_pose(protocol::Envelope& frame, int marker, double z = 0.5);
 
 // The text of an HTTP answer and its status.

@@ -77,6 +77,64 @@ TEST(Wire, PosesKeepTheirOrderOfComponents) {
   EXPECT_EQ(back[0].translation, pose.translation);
 }
 
+protocol::Environment fisheye_environment() {
+  protocol::Environment environment;
+  environment.set_image("jpeg");
+  protocol::Fisheye& fisheye = *environment.mutable_fisheye();
+  fisheye.set_width(1000);
+  fisheye.set_height(900);
+  fisheye.set_fx(300);
+  fisheye.set_fy(301);
+  fisheye.set_cx(500);
+  fisheye.set_cy(450);
+  fisheye.set_max_angle(1.6);
+  fisheye.mutable_world_from_fisheye()->set_y(0.6);
+  fisheye.mutable_world_from_fisheye()->set_z(0.8);
+  return environment;
+}
+
+TEST(Wire, EnvironmentsAreEquirectangularUnlessALensIsGiven) {
+  using Projection = frame::EnvironmentInput::Projection;
+  protocol::Environment plain;
+  plain.set_image("jpeg");
+  EXPECT_EQ(environment_from(plain).projection, Projection::Equirectangular);
+  EXPECT_EQ(environment_from(plain).image.size(), 4u);
+  const frame::EnvironmentInput input = environment_from(fisheye_environment());
+  EXPECT_EQ(input.projection, Projection::Fisheye);
+  EXPECT_EQ(input.fisheye, (core::FisheyeModel{1000, 900, 300, 301, 500, 450, 1.6}));
+  EXPECT_NEAR(input.world_from_fisheye.y, 0.6, 1e-15);
+  EXPECT_NEAR(input.world_from_fisheye.z, 0.8, 1e-15);
+}
+
+TEST(Wire, EnvironmentsThatCannotBeUsedAreRefused) {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  using Change = std::function<void(protocol::Environment&)>;
+  const std::vector<Change> changes{
+      [](auto& environment) { environment.clear_image(); },
+      [](auto& environment) { environment.mutable_fisheye()->set_width(0); },
+      [](auto& environment) { environment.mutable_fisheye()->set_height(2049); },
+      [](auto& environment) { environment.mutable_fisheye()->set_width(0xffffffffu); },
+      [](auto& environment) { environment.mutable_fisheye()->set_fx(kNaN); },
+      [](auto& environment) { environment.mutable_fisheye()->set_max_angle(4); },
+      [](auto& environment) { environment.mutable_fisheye()->clear_world_from_fisheye(); },
+      [](auto& environment) {
+        environment.mutable_fisheye()->mutable_world_from_fisheye()->set_x(kNaN);
+      },
+      [](auto& environment) {
+        environment.mutable_fisheye()->mutable_world_from_fisheye()->set_x(1);
+      }};
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    protocol::Environment environment = fisheye_environment();
+    changes[i](environment);
+    try {
+      environment_from(environment);
+      ADD_FAILURE() << "change " << i;
+    } catch (const ClientError& error) {
+      EXPECT_EQ(error.code, protocol::Error::BAD_ENVIRONMENT);
+    }
+  }
+}
+
 TEST(Wire, APoseWithoutRotationIsNotUsable) {
   protocol::CameraFrame frame;
   frame.add_poses()->set_marker(7);

@@ -88,6 +88,21 @@ TEST(ProtocolDocument, ExamplesSayWhatTheTextSays) {
   EXPECT_EQ(frame.poses(0).translation().z(), 0.5);
 }
 
+TEST(ProtocolDocument, EnvironmentsAreEquirectangularAndFisheye) {
+  const auto examples = hex_examples();
+  ASSERT_EQ(examples.count("Environment"), 2u);
+  const auto first = examples.lower_bound("Environment");
+  EXPECT_FALSE(decode(first->second).environment().has_fisheye());
+  const Environment environment = decode(std::next(first)->second).environment();
+  EXPECT_EQ(environment.image(), "\xff\xd8\xff\xd9");
+  ASSERT_TRUE(environment.has_fisheye());
+  EXPECT_EQ(environment.fisheye().width(), 1000u);
+  EXPECT_EQ(environment.fisheye().fx(), 312.5);
+  EXPECT_EQ(environment.fisheye().max_angle(), 1.6);
+  EXPECT_EQ(environment.fisheye().world_from_fisheye().y(), 0.6);
+  EXPECT_EQ(environment.fisheye().world_from_fisheye().z(), 0.8);
+}
+
 TEST(ProtocolDocument, NamesEveryErrorCode) {
   const std::string text = document();
   for (int code = Error::Code_MIN + 1; code <= Error::Code_MAX; ++code) {
