@@ -66,6 +66,7 @@ class Connection::Worker {
     events.welcomed = [this](protocol::Welcome welcome) {
       backoff_ = kFirstBackoff;
       was_welcomed_ = true;
+      if (!options_.after_welcome.empty()) link_->write_first(options_.after_welcome);
       events_.push(Welcomed{std::move(welcome)});
     };
     events.composite = [this](protocol::Composite composite) {

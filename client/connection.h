@@ -21,6 +21,9 @@ struct ConnectionOptions {
   std::string port = "7447";
   // For the first welcome, and again for each reconnecting: after that the connection gives up.
   std::chrono::milliseconds connect_timeout{5000};
+  // An encoded Envelope to be sent after each welcome, before any frame; empty for none. A server
+  // that was restarted needs it again.
+  std::string after_welcome{};
 };
 
 // What happened, in the order in which it did.

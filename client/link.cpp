@@ -163,10 +163,14 @@ void Link::write_frame(std::string bytes) {
   write(std::move(bytes));
 }
 
+void Link::write_first(std::string bytes) {
+  control_.push_back(std::move(bytes));
+  if (writing_.empty()) write_next();
+}
+
 void Link::send_control(const Envelope& envelope) {
   // A server that is not read from is asked for nothing: pings wait like everything else.
-  if (control_.size() < protocol::kMaxQueuedControl) control_.push_back(protocol::encode(envelope));
-  if (writing_.empty()) write_next();
+  if (control_.size() < protocol::kMaxQueuedControl) write_first(protocol::encode(envelope));
 }
 
 void Link::write(std::string bytes) {

@@ -49,6 +49,8 @@ class Link : public std::enable_shared_from_this<Link> {
   // True if a frame may be written now: welcomed, not draining, no write in flight.
   bool is_idle() const { return state_ == State::Running && writing_.empty(); }
   void write_frame(std::string bytes);
+  // An encoded Envelope that goes before any frame.
+  void write_first(std::string bytes);
 
   // Says goodbye and waits a little for the server to close.
   void close();

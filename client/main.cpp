@@ -12,12 +12,14 @@
 
 #include "client/calibration.h"
 #include "client/capture_source.h"
+#include "client/environment_message.h"
 #include "client/images_source.h"
 #include "client/messages.h"
 #include "client/options.h"
 #include "client/summary.h"
 #include "client/synthetic_source.h"
 #include "core/log.h"
+#include "protocol/framing.h"
 #include "protocol/limits.h"
 
 namespace amalgam::client {
@@ -85,7 +87,12 @@ int run(const Options& options) {
   const auto source = make_source(options);
   const core::CameraModel camera =
       source->own_camera() ? *source->own_camera() : camera_for(options, source->size());
-  Connection connection(options.connection,
+  ConnectionOptions connection_options = options.connection;
+  if (!options.environment.empty()) {
+    connection_options.after_welcome =
+        protocol::encode(load_environment(options.environment, options.environment_fisheye));
+  }
+  Connection connection(connection_options,
                         hello_message(camera, token, options.composite_quality));
   Viewer viewer(options.viewer, camera, *source, sink.get(), connection, stop_requested);
   const ViewerSummary summary = viewer.run();

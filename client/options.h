@@ -25,6 +25,7 @@ struct Options {
   bool true_poses = false;
   cv::Size size;  // empty: the source's own
   std::string calibration;
+  std::string environment, environment_fisheye;
 
   bool display = false;
   std::string record;

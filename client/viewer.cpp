@@ -123,9 +123,11 @@ void Viewer::handle(FrameError& event) {
   ++summary_.server_errors;
   summary_.last_error = protocol::Error::Code_Name(event.error.code()) + ": " + event.error.text();
   core::log_warn("frame " + std::to_string(event.error.frame_id()) + ": " + summary_.last_error);
-  // A frame with a bad pose is still rendered, with the last good one or without.
-  if (event.error.code() != protocol::Error::POSE_REJECTED)
-    ledger_.rejected(event.error.frame_id());
+  // A frame with a bad pose is still rendered, with the last good one or without; an environment
+  // is no frame.
+  const auto code = event.error.code();
+  if (code == protocol::Error::POSE_REJECTED || code == protocol::Error::BAD_ENVIRONMENT) return;
+  ledger_.rejected(event.error.frame_id());
 }
 
 void Viewer::handle(LinkBroken& event) {

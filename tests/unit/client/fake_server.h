@@ -45,15 +45,15 @@ class FakePeer {
   }
 
   // Takes the hello and welcomes.
-  std::optional<protocol::Hello> welcome() {
+  std::optional<protocol::Hello> welcome(const std::vector<int>& ids = {40}) {
     const auto hello = receive();
     if (!hello || !hello->has_hello()) return std::nullopt;
     protocol::Envelope envelope;
     protocol::Markers& markers = *envelope.mutable_welcome()->mutable_markers();
     markers.set_dictionary("DICT_6X6_250");
     markers.set_length(0.05);
-    markers.set_world_marker(40);
-    markers.add_ids(40);
+    markers.set_world_marker(ids.front());
+    markers.mutable_ids()->Add(ids.begin(), ids.end());
     send(envelope);
     return hello->hello();
   }

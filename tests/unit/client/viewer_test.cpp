@@ -167,6 +167,59 @@ TEST(Viewer, RecordsAFilm) {
   EXPECT_GT(std::filesystem::file_size(folder / "film.mp4"), 1000u);
 }
 
+TEST(Viewer, SmoothsPosesAndShowsAnEnvironmentsErrorWithoutLosingAFrame) {
+  SyntheticSource source(core::default_camera(160, 120), true, 90);
+  FakeServer server({[&](FakePeer& peer) {
+    peer.welcome();
+    protocol::Envelope error;
+    error.mutable_error()->set_code(protocol::Error::BAD_ENVIRONMENT);
+    error.mutable_error()->set_text("not a JPEG");
+    peer.send(error);
+    peer.answer_frames();
+  }});
+  const std::atomic<bool> stop = false;
+  Connection connection(server.options(3000ms),
+                        hello_message(core::default_camera(160, 120), "", 0));
+  const ViewerSummary summary =
+      Viewer({.frames = 12, .lockstep = true, .smoothing = OneEuroOptions{.min_cutoff = 2.0}},
+             core::default_camera(160, 120), source, nullptr, connection, stop)
+          .run();
+  EXPECT_EQ(summary.frames.composited, 12u);
+  EXPECT_EQ(summary.frames.rejected, 0u);
+  EXPECT_EQ(summary.server_errors, 1u);
+  EXPECT_NE(summary_text(summary).find("BAD_ENVIRONMENT: not a JPEG"), std::string::npos);
+  ASSERT_TRUE(summary.smoothing);
+  EXPECT_EQ(summary.smoothing->poses, 12u);
+  EXPECT_NE(summary_text(summary).find("lag"), std::string::npos);
+  EXPECT_NE(summary_json(summary).find("\"lag_ms\""), std::string::npos);
+}
+
+TEST(Viewer, LooksForTheMarkersOfTheWelcomeAndOfANewOne) {
+  SyntheticSource source(core::default_camera(320, 240), false, 90);
+  std::vector<int> poses;
+  const auto count = [&](FakePeer& peer) {
+    const auto message = peer.receive();
+    if (!message || !message->has_camera_frame()) return;
+    poses.push_back(message->camera_frame().poses_size());
+    peer.answer(message->camera_frame());
+  };
+  FakeServer server({[&](FakePeer& peer) {
+                       peer.welcome({23});
+                       count(peer);
+                     },
+                     [&](FakePeer& peer) {
+                       peer.welcome({23, 40});
+                       for (int i = 0; i < 3; ++i) count(peer);
+                     }});
+  const std::atomic<bool> stop = false;
+  const auto camera = core::default_camera(320, 240);
+  Connection connection(server.options(3000ms), hello_message(camera, "", 0));
+  Viewer({.frames = 4, .rate = 4.0}, camera, source, nullptr, connection, stop).run();
+  ASSERT_GE(poses.size(), 2u);
+  EXPECT_EQ(poses.front(), 0);  // only 40 is there
+  EXPECT_EQ(poses.back(), 1);
+}
+
 TEST(FrameLedger, CountsByWhatTheAnswerSays) {
   FrameLedger ledger;
   const FrameLedger::Clock::time_point start{};
@@ -203,6 +256,16 @@ TEST(Options, ReadsAddressesAndSizes) {
   EXPECT_EQ(parse_size("800x600"), cv::Size(800, 600));
   for (const char* bad : {"", "800", "800x", "x600", "0x1", "-1x5", "800x600x", "99999x2"}) {
     EXPECT_THROW(parse_size(bad), std::runtime_error) << bad;
+  }
+}
+
+TEST(Options, ReadsSmoothing) {
+  EXPECT_EQ(parse_smoothing("1.5").min_cutoff, 1.5);
+  EXPECT_EQ(parse_smoothing("1.5").beta, 0.0);
+  EXPECT_EQ(parse_smoothing("1:20").beta, 20.0);
+  for (const char* bad :
+       {"", "0", "-1", "x", "1:", "1:x", "1:-1", "1:2:3", "nan", "inf", "1:nan"}) {
+    EXPECT_THROW(parse_smoothing(bad), std::runtime_error) << bad;
   }
 }
 

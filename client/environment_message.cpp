@@ -1,0 +1,76 @@
+#include "client/environment_message.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <opencv2/imgproc.hpp>
+#include <stdexcept>
+
+#include "client/fisheye_file.h"
+#include "client/jpeg_bytes.h"
+#include "protocol/limits.h"
+
+namespace amalgam::client {
+namespace {
+
+constexpr int kQuality = 95;  // light is extracted from it: artefacts would become lamps
+
+Bytes read_bytes(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  Bytes bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  if (!in || bytes.empty())
+    throw std::runtime_error("environment " + file.string() + ": cannot be read");
+  return bytes;
+}
+
+cv::Mat fit_into_limits(const cv::Mat& image) {
+  constexpr int kMaxSide = static_cast<int>(protocol::kMaxSide);
+  const int longest = std::max(image.cols, image.rows);
+  if (longest <= kMaxSide) return image;
+  const double scale = static_cast<double>(kMaxSide) / longest;
+  const auto scaled = [&](int side) { return std::max(1, static_cast<int>(side * scale + 0.5)); };
+  cv::Mat smaller;
+  cv::resize(image, smaller, {scaled(image.cols), scaled(image.rows)}, 0, 0, cv::INTER_AREA);
+  return smaller;
+}
+
+void fill_fisheye(const FisheyeCalibration& calibration, protocol::Fisheye& out) {
+  const core::FisheyeModel& lens = calibration.lens;
+  out.set_width(static_cast<std::uint32_t>(lens.width));
+  out.set_height(static_cast<std::uint32_t>(lens.height));
+  out.set_fx(lens.fx);
+  out.set_fy(lens.fy);
+  out.set_cx(lens.cx);
+  out.set_cy(lens.cy);
+  out.set_max_angle(lens.max_angle);
+  protocol::Quaternion& rotation = *out.mutable_world_from_fisheye();
+  rotation.set_x(calibration.world_from_fisheye.x);
+  rotation.set_y(calibration.world_from_fisheye.y);
+  rotation.set_z(calibration.world_from_fisheye.z);
+  rotation.set_w(calibration.world_from_fisheye.w);
+}
+
+}  // namespace
+
+protocol::Envelope load_environment(const std::filesystem::path& image,
+                                    const std::filesystem::path& fisheye) {
+  Bytes jpeg = read_bytes(image);
+  const cv::Mat decoded = decode_image(jpeg);
+  if (decoded.empty()) {
+    throw std::runtime_error("environment " + image.string() + ": is no image");
+  }
+  const cv::Mat sent = fit_into_limits(decoded);
+  if (sent.size() != decoded.size() || !is_sendable_jpeg(jpeg)) jpeg = encode_jpeg(sent, kQuality);
+  if (!is_sendable_jpeg(jpeg)) {
+    throw std::runtime_error("environment " + image.string() + ": is too large for one message");
+  }
+  protocol::Envelope envelope;
+  protocol::Environment& environment = *envelope.mutable_environment();
+  environment.set_image(jpeg.data(), jpeg.size());
+  if (!fisheye.empty()) {
+    fill_fisheye(load_fisheye(fisheye, sent.cols, sent.rows), *environment.mutable_fisheye());
+  }
+  return envelope;
+}
+
+}  // namespace amalgam::client

@@ -1,0 +1,20 @@
+// Reads the calibration of a fish-eye lens; its fields are listed in environment_message.h.
+#pragma once
+
+#include <filesystem>
+#include <glm/gtc/quaternion.hpp>
+
+#include "core/fisheye_model.h"
+
+namespace amalgam::client {
+
+struct FisheyeCalibration {
+  core::FisheyeModel lens;  // for images of the size asked for
+  glm::dquat world_from_fisheye{1.0, 0.0, 0.0, 0.0};
+};
+
+// For an image of this size, pixels; a calibration of another size is scaled if the sides keep
+// their ratio to within one pixel. Throws std::runtime_error with one line.
+FisheyeCalibration load_fisheye(const std::filesystem::path& file, int width, int height);
+
+}  // namespace amalgam::client
