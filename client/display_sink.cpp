@@ -1,3 +1,9 @@
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
 #include <cstdlib>
 #include <opencv2/highgui.hpp>
 #include <stdexcept>
@@ -11,12 +17,37 @@ namespace {
 constexpr const char* kWindow = "Amalgam";
 constexpr int kEscape = 27;
 
+// Some window libraries end the program when they cannot reach the display: a child process tries
+// first. Called before there are threads.
+bool window_opens_elsewhere() {
+  const pid_t child = ::fork();
+  if (child < 0) return true;  // then it is found out the hard way
+  if (child == 0) {
+    const rlimit no_core{0, 0};
+    ::setrlimit(RLIMIT_CORE, &no_core);
+    const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+    if (nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);
+    try {
+      cv::namedWindow(kWindow, cv::WINDOW_AUTOSIZE);
+    } catch (...) {
+      ::_exit(EXIT_FAILURE);
+    }
+    ::_exit(EXIT_SUCCESS);
+  }
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFEXITED(status) && WEXITSTATUS(status) == EXIT_SUCCESS;
+}
+
 class DisplaySink : public FrameSink {
  public:
   DisplaySink() {
-    // Asked first: some window libraries end the program when there is no display.
     if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) {
       throw std::runtime_error("--display: there is no display (DISPLAY is not set)");
+    }
+    if (!window_opens_elsewhere()) {
+      throw std::runtime_error("--display: the display cannot be reached or shows no windows");
     }
     try {
       cv::namedWindow(kWindow, cv::WINDOW_AUTOSIZE);

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <opencv2/imgcodecs.hpp>
@@ -156,6 +157,14 @@ TEST(Viewer, InLockstepNothingIsSkippedAndBytesComeBackAsFiles) {
     const std::string name = "frame-00000" + std::to_string(i + 1) + ".jpg";
     EXPECT_EQ(read(folder / "out" / name), pictures[i]);
   }
+}
+
+TEST(DisplaySink, ADisplayThatCannotBeReachedIsAnErrorAndNotTheEnd) {
+  ::unsetenv("WAYLAND_DISPLAY");
+  ::setenv("DISPLAY", ":9999", 1);
+  EXPECT_THROW(make_display_sink(), std::runtime_error);
+  ::unsetenv("DISPLAY");
+  EXPECT_THROW(make_display_sink(), std::runtime_error);
 }
 
 TEST(Viewer, RecordsAFilm) {
