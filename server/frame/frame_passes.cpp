@@ -99,14 +99,21 @@ void add_raytrace_passes(graph::FrameGraph& graph, const SceneResources& resourc
   frame.traced = passes::add_trace_pass(graph, trace_inputs(resources, request, frame));
 }
 
-// Nine samples where one was not enough.
+// Nine samples where one was not enough; or, for hybrid frames, as many as elsewhere, but traced
+// where shadow maps are not exact.
 void add_refinement(graph::FrameGraph& graph, const SceneResources& resources,
                     const FrameRequest& request, FramePasses& frame) {
-  if (!request.settings.adaptive_threshold) return;
-  const auto refined =
-      passes::add_refine_pass(graph, {.trace = trace_inputs(resources, request, frame),
-                                      .threshold = *request.settings.adaptive_threshold,
-                                      .base = frame.layers});
+  const RendererSettings& settings = request.settings;
+  const bool traced_edges = settings.trace_shadow_edges && resources.raster != nullptr;
+  if (!settings.adaptive_threshold && !traced_edges) return;
+  const bool adaptive = settings.adaptive_threshold.has_value();
+  const auto refined = passes::add_refine_pass(
+      graph, {.trace = trace_inputs(resources, request, frame),
+              .threshold = settings.adaptive_threshold.value_or(passes::kShadowEdgeThreshold),
+              .samples_per_side =
+                  adaptive ? passes::kAdaptiveSamplesPerSide : request.render_view.samples_per_side,
+              .by_surface = adaptive,
+              .base = frame.layers});
   frame.layers = refined.layers;
   frame.refinement = refined.statistics;
 }

@@ -76,8 +76,10 @@ class FrameRenderer::Impl {
         owner_(std::this_thread::get_id()) {
     check_settings(settings);
     const bool traces_all = settings.mode == RendererMode::Raytrace;
-    if (traces_all || features_.has_specular || settings.adaptive_threshold)
+    if (traces_all || features_.has_specular || settings.adaptive_threshold ||
+        settings.trace_shadow_edges) {
       embree_.emplace(scene_);
+    }
     if (!traces_all) raster_.emplace(scene_);
   }
 

@@ -26,6 +26,10 @@ struct RendererSettings {
   int samples_per_pixel = 1;  // 1, 4, 9 or 16
   // Set: one sample a pixel, and nine where neighbours differ by more than this (display-linear).
   std::optional<float> adaptive_threshold;
+  // Hybrid: pixels at edges of shadows are traced again, because a shadow map is exact only to a
+  // texel. Costs an Embree scene and rays for those pixels, even in scenes without anything
+  // specular.
+  bool trace_shadow_edges = false;
   trace::TraceSettings trace;
   scene::EnvLightOptions env_lights;
   std::optional<float> exposure;  // none: metered on the real surfaces in view

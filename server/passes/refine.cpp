@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace amalgam::passes {
 namespace {
@@ -27,8 +28,7 @@ bool is_other_surface(const trace::FirstHits& hits, glm::ivec2 p, glm::ivec2 q) 
 }
 
 // All n x n samples of the marked pixels.
-core::Image<std::uint8_t> sample_mask(const core::Image<std::uint8_t>& pixels) {
-  constexpr int n = kRefinedSamplesPerSide;
+core::Image<std::uint8_t> sample_mask(const core::Image<std::uint8_t>& pixels, int n) {
   core::Image<std::uint8_t> mask(pixels.width() * n, pixels.height() * n);
   for (int y = 0; y < mask.height(); ++y) {
     for (int x = 0; x < mask.width(); ++x) mask.at(x, y) = pixels.at(x / n, y / n);
@@ -49,11 +49,12 @@ void replace_marked(core::Layers& layers, const core::Layers& refined,
 
 }  // namespace
 
-core::Image<std::uint8_t> find_edges(const core::Layers& layers, const trace::FirstHits& hits,
+core::Image<std::uint8_t> find_edges(const core::Layers& layers, const trace::FirstHits* hits,
                                      float threshold) {
   core::Image<std::uint8_t> edges(layers.over.width(), layers.over.height());
   const auto compare = [&](glm::ivec2 p, glm::ivec2 q) {
-    const bool differs = layer_step(layers, p, q) > threshold || is_other_surface(hits, p, q);
+    const bool differs =
+        layer_step(layers, p, q) > threshold || (hits != nullptr && is_other_surface(*hits, p, q));
     if (!differs || !(shows_something(layers, p) || shows_something(layers, q))) return;
     edges.at(p.x, p.y) = 1;
     edges.at(q.x, q.y) = 1;
@@ -79,16 +80,20 @@ RefineOutputs add_refine_pass(graph::FrameGraph& graph, const RefineInputs& in) 
   builder.runs([in, out](const graph::Access& access) {
     const RenderView& view = in.trace.view;
     Layers layers = access.get(in.base);
-    const trace::FirstHits hits = trace::find_first_hits(*access.get(in.trace.scene).scene,
-                                                         view.ideal, view.scene.camera_from_world);
-    const core::Image<std::uint8_t> edges = find_edges(layers, hits, in.threshold);
-    const core::Image<std::uint8_t> mask = sample_mask(edges);
-    TracedSamples samples{&mask, 1, kRefinedSamplesPerSide};
-    const trace::TraceResult refined = trace_samples(in.trace, access, samples);
+    std::optional<trace::FirstHits> hits;
+    if (in.by_surface) {
+      hits = trace::find_first_hits(*access.get(in.trace.scene).scene, view.ideal,
+                                    view.scene.camera_from_world);
+    }
+    const core::Image<std::uint8_t> edges =
+        find_edges(layers, hits ? &*hits : nullptr, in.threshold);
+    const core::Image<std::uint8_t> mask = sample_mask(edges, in.samples_per_side);
+    const trace::TraceResult refined =
+        trace_samples(in.trace, access, {&mask, 1, in.samples_per_side});
     replace_marked(layers, refined.layers, edges);
 
     Refinement statistics{refined.rays, 0, refined.nonfinite};
-    statistics.rays.primary += edges.pixels().size();
+    if (hits) statistics.rays.primary += edges.pixels().size();
     statistics.pixels =
         static_cast<std::uint64_t>(std::count(edges.pixels().begin(), edges.pixels().end(), 1));
     access.set(out.layers, std::move(layers));

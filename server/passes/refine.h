@@ -15,12 +15,17 @@
 
 namespace amalgam::passes {
 
-inline constexpr int kRefinedSamplesPerSide = 3;
+inline constexpr int kAdaptiveSamplesPerSide = 3;
+
+// A step in the layers (display-linear) beyond which a neighbour may lie across a shadow's edge:
+// below it a byte differs by at most 3, even in black.
+inline constexpr float kShadowEdgeThreshold = 1e-3f;
 
 // 1 for each pixel that differs from its right, left, upper or lower neighbour: in colour or
 // coverage of the layers by more than threshold (display-linear), or in the object that it sees or
 // its distance (by more than 2 %), if one of the two shows anything virtual at all.
-core::Image<std::uint8_t> find_edges(const core::Layers& layers, const trace::FirstHits& hits,
+// Without hits only the layers count.
+core::Image<std::uint8_t> find_edges(const core::Layers& layers, const trace::FirstHits* hits,
                                      float threshold);
 
 struct Refinement {
@@ -32,7 +37,9 @@ struct Refinement {
 struct RefineInputs {
   TraceInputs trace;  // its specular and mask handles are not used
   float threshold = 0.0f;
-  graph::Handle<Layers> base;  // merged, one sample a pixel
+  int samples_per_side = kAdaptiveSamplesPerSide;
+  bool by_surface = true;      // objects and distances count, not only the layers
+  graph::Handle<Layers> base;  // merged, before refinement
 };
 
 struct RefineOutputs {

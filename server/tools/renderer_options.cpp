@@ -26,6 +26,13 @@ void add_renderer_options(CLI::App& app, frame::RendererSettings& settings) {
          "neighbours "
          "differ by more than THRESHOLD (display-linear, default 0.03)")
       ->default_str("1");
+  app.add_option_function<std::string>(
+         "--shadow-edges",
+         [&settings](const std::string& text) { settings.trace_shadow_edges = text == "traced"; },
+         "edges of shadows on rasterised surfaces: map (as exact as a texel of the shadow map) or "
+         "traced")
+      ->check(CLI::IsMember({"map", "traced"}))
+      ->default_str("map");
   app.add_option("--max-depth", settings.trace.max_depth, "specular surfaces that a ray may meet")
       ->check(CLI::Range(0, 10000))
       ->capture_default_str();

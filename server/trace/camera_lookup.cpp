@@ -8,7 +8,6 @@
 
 #include "core/pose.h"
 #include "scene/tone_map.h"
-#include "trace/ray_offset.h"
 
 namespace amalgam::trace {
 namespace {
@@ -46,17 +45,16 @@ std::optional<CameraSample> CameraLookup::look_up(const EmbreeScene& scene,
   if (verdict == DepthVerdict::Hidden) return std::nullopt;
   if (verdict == DepthVerdict::Unsure) {
     ++lookup_rays;
-    const glm::vec3 origin = offset_from_surface(point.position, point.geometric_normal);
-    const glm::vec3 segment = camera_in_world_ - origin;
-    const float distance = glm::length(segment);
-    if (scene.is_occluded({origin, segment / distance, distance}, Visible::Real))
-      return std::nullopt;
+    const glm::vec3 direction = glm::normalize(to_camera);
+    const glm::vec3 origin = point.ray_origin_on_line(direction);
+    const float distance = glm::distance(camera_in_world_, origin);
+    if (scene.is_occluded({origin, direction, distance}, Visible::Real)) return std::nullopt;
   }
   return CameraSample{scene::inverse_tone_map(bilinear(*pixel), view_.exposure), trust};
 }
 
-// Sure only where the four depths around the point agree with each other: next to an edge a ray
-// decides.
+// Sure only where the four depths around the point lie on one plane, on which 1/z is bilinear in
+// the image, and the point with them: next to an edge a ray decides.
 CameraLookup::DepthVerdict CameraLookup::judge_by_depth(const glm::dvec3& in_camera) const {
   if (view_.real_depth == nullptr) return DepthVerdict::Unsure;
   const auto at = core::project(view_.ideal, in_camera);
@@ -68,18 +66,20 @@ CameraLookup::DepthVerdict CameraLookup::judge_by_depth(const glm::dvec3& in_cam
 
   const float z[4] = {depth.at(x, y), depth.at(x + 1, y), depth.at(x, y + 1),
                       depth.at(x + 1, y + 1)};
-  const auto [nearest, farthest] = std::minmax({z[0], z[1], z[2], z[3]});
-  constexpr float kContinuous =
-      0.02f;  // relative step between neighbours that a slanted surface may have
-  constexpr double kSlack =
-      1e-4;  // relative: rounding of the rasteriser's depth and of the hit point
+  const float farthest = std::max({z[0], z[1], z[2], z[3]});
   constexpr double kClearlyBehind = 1.02;
-  if (!(farthest < nearest * (1.0f + kContinuous))) return DepthVerdict::Unsure;  // infinity too
   if (in_camera.z > farthest * kClearlyBehind) return DepthVerdict::Hidden;
-  if (in_camera.z >= nearest * (1.0 - kSlack) && in_camera.z <= farthest * (1.0 + kSlack)) {
-    return DepthVerdict::Visible;
-  }
-  return DepthVerdict::Unsure;
+
+  const double inverse[4] = {1.0 / z[0], 1.0 / z[1], 1.0 / z[2], 1.0 / z[3]};
+  const double bend = inverse[0] + inverse[3] - inverse[1] - inverse[2];
+  const double fx = at->x - x, fy = at->y - y;
+  const double expected =
+      std::lerp(std::lerp(inverse[0], inverse[1], fx), std::lerp(inverse[2], inverse[3], fx), fy);
+  constexpr double kSlack =
+      2e-4;  // relative: rounding of the rasteriser's depth and of the hit point
+  const bool on_one_plane = std::abs(bend) < kSlack * expected;
+  const bool with_it = std::abs(in_camera.z * expected - 1.0) < kSlack;
+  return on_one_plane && with_it ? DepthVerdict::Visible : DepthVerdict::Unsure;
 }
 
 // In display-linear light, so that a mirror that magnifies the image shows what magnifying it

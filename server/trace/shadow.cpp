@@ -7,7 +7,6 @@
 #include <glm/geometric.hpp>
 
 #include "trace/fresnel.h"
-#include "trace/ray_offset.h"
 
 namespace amalgam::trace {
 namespace {
@@ -70,7 +69,7 @@ ShadowAttenuation trace_shadow(const EmbreeScene& scene, const Ray& ray) {
           material.thin ? glm::vec3(0.0f) : material.absorption * (point.front ? -t : t);
       solution.pass_glass(glm::vec3(point.base_color) * through, depth);
     }
-    const glm::vec3 next = offset_from_surface(point.position, -point.geometric_normal);
+    const glm::vec3 next = point.ray_origin_on_line(segment.direction);
     travelled += glm::distance(next, segment.origin);
     segment.origin = next;
     segment.t_max = ray.t_max - travelled;

@@ -7,16 +7,26 @@
 #include <glm/vec4.hpp>
 
 #include "trace/embree_scene.h"
+#include "trace/ray_offset.h"
 
 namespace amalgam::trace {
 
 struct SurfacePoint {
+  // Where a ray in this direction may start without meeting this surface again
+  // (trace/ray_offset.h).
+  glm::vec3 ray_origin(const glm::vec3& direction) const {
+    return offset_from_surface(position, geometric_normal, direction, offset);
+  }
+  glm::vec3 ray_origin_on_line(const glm::vec3& direction) const {
+    return offset_along_ray(position, geometric_normal, direction, offset);
+  }
+
   glm::vec3 position{
-      0.0f};  // world, from barycentric coordinates and not from o + t d (numerics B1)
+      0.0f};            // world, from barycentric coordinates and not from o + t d (numerics B1)
+  float offset = 0.0f;  // height above the surface that rays start at, metres
   glm::vec3 geometric_normal{0.0f};  // unit, on the side that the ray came from
-  glm::vec3 shading_normal{0.0f};    // unit, interpolated; same side; bent so that neither the view
-                                     // nor its reflection is below the surface
-  // The material's times its textures' (and, of the colour, times the vertices').
+  glm::vec3 shading_normal{
+      0.0f};                   // unit, interpolated; turned over together with the geometric one
   glm::vec4 base_color{1.0f};  // linear; alpha
   glm::vec3 emission{0.0f};    // scene-linear radiance
   float metallic = 0.0f, roughness = 1.0f;
@@ -25,6 +35,12 @@ struct SurfacePoint {
   scene::Role role = scene::Role::Virtual;
   bool front = true;  // the ray came from the outer side (counter-clockwise corners)
 };
+
+// The same hit with barycentric coordinates and t of the line through start, in double. Rays are
+// traced from a little off the surface that they leave; what they meet is sure then, but where they
+// meet it is off by what the geometry magnifies that offset to.
+Hit hit_on_line(const EmbreeScene& scene, const Hit& hit, const glm::vec3& start,
+                const glm::vec3& direction);
 
 // direction: the ray's, unit. cone_width: metres across the ray's cone at the hit, which decides on
 // the textures' level of detail (scene/texture_lookup.h); 0: the finest.

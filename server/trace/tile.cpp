@@ -8,7 +8,6 @@
 #include <limits>
 
 #include "core/pose.h"
-#include "trace/ray_offset.h"
 #include "trace/shade.h"
 #include "trace/shadow.h"
 
@@ -72,6 +71,7 @@ void Tile::generate_primary_rays() {
             glm::normalize(rotation * *core::pixel_direction(request_.camera, pixel)));
         RayItem item;
         item.ray = {origin, glm::vec3(direction), kInfinity};
+        item.start = origin;
         item.sample = static_cast<std::uint32_t>(samples_.size());
         waiting_.push_back(item);
         samples_.emplace_back();
@@ -109,6 +109,9 @@ void Tile::intersect_rays() {
         break;
     }
     hits_.push_back(request_.scene.intersect(item.ray, Visible::Everything));
+    if (hits_.back()) {
+      hits_.back() = hit_on_line(request_.scene, *hits_.back(), item.start, item.ray.direction);
+    }
   }
 }
 
@@ -156,7 +159,9 @@ void Tile::count_primary(const SurfacePoint& point, const scene::Material& mater
 // Mirror and glass: the reflected and the refracted child (eq. 4.7, 4.8).
 void Tile::scatter(const RayItem& item, const SurfacePoint& point, const glm::vec3& weight) {
   const scene::Material& material = request_.scene.scene().materials[point.material];
-  const glm::dvec3 direction(item.ray.direction), normal(point.shading_normal);
+  const glm::dvec3 direction(item.ray.direction);
+  const glm::dvec3 normal(
+      valid_shading_normal(point.geometric_normal, point.shading_normal, -item.ray.direction));
   const double cos_incident = std::clamp(-glm::dot(direction, normal), 0.0, 1.0);
   const glm::vec3 reflected(glm::normalize(reflect(direction, normal)));
   const glm::vec3 glow = weight * point.emission;
@@ -217,7 +222,7 @@ void Tile::scatter_back(const RayItem& item, const SurfacePoint& point, const gl
 // the ray, so this ends.
 void Tile::pass_straight(const RayItem& item, const SurfacePoint& point, const glm::vec3& weight) {
   RayItem next = item;
-  next.ray.origin = offset_from_surface(point.position, -point.geometric_normal);
+  next.ray.origin = point.ray_origin(item.ray.direction);
   next.path_length += glm::distance(next.ray.origin, item.ray.origin);
   next.weight = weight;
   waiting_.push_back(next);
@@ -233,10 +238,9 @@ void Tile::spawn(const RayItem& parent, const SurfacePoint& point, const glm::ve
     escaped_.push_back({core::LightSource::CutOff, direction, weight, parent.sample});
     return;
   }
-  const float leaves_to = glm::dot(direction, point.geometric_normal) >= 0.0f ? 1.0f : -1.0f;
   RayItem child;
-  child.ray = {offset_from_surface(point.position, leaves_to * point.geometric_normal), direction,
-               kInfinity};
+  child.ray = {point.ray_origin(direction), direction, kInfinity};
+  child.start = point.position;
   child.weight = weight;
   child.media = media;
   child.path_length = parent.path_length + glm::distance(point.position, parent.ray.origin);
@@ -271,11 +275,11 @@ void Tile::spawn_shadow_rays() {
     // What glows of glass was added where the ray met it.
     if (!scene::is_specular(material.kind))
       radiance_[d] = {item.point.emission, item.point.emission};
-    const glm::vec3 origin = offset_from_surface(item.point.position, item.point.geometric_normal);
     for (const scene::Light& light : request_.lights) {
       const scene::LightArrival arrival = scene::light_arrival(light, item.point.position);
       const glm::vec3 contribution = phong_contribution(terms, item.point, item.view, arrival);
       if (contribution == glm::vec3(0.0f)) continue;
+      const glm::vec3 origin = item.point.ray_origin_on_line(arrival.to_light);
       shadows_.push_back({{origin, arrival.to_light, arrival.distance}, contribution, d});
     }
   }

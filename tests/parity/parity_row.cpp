@@ -24,6 +24,7 @@ struct Rendered {
 
 Rendered render(const ParityCase& parity_case, frame::RendererMode mode) {
   frame::RendererSettings settings;
+  settings.trace_shadow_edges = true;  // shadow maps alone are exact to a texel
   settings.mode = mode;
   settings.exposure = parity_case.exposure;
   settings.samples_per_pixel = parity_case.samples_per_side * parity_case.samples_per_side;

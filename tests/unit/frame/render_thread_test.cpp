@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <condition_variable>
+#include <future>
 #include <mutex>
 
 #include "codec/jpeg.h"
@@ -107,6 +108,28 @@ TEST(RenderThread, NothingIsDeliveredAfterClosing) {
   ASSERT_TRUE(other.wait_for(1));
   EXPECT_EQ(inbox.size(), delivered);
   EXPECT_FALSE(service.submit(view, 2, grey_frame())) << "a closed view takes nothing";
+}
+
+TEST(RenderThread, EnvironmentIsReplacedOrRefusedWithAReason) {
+  RenderThread service(kScene, {});
+  const auto set = [&](EnvironmentInput input) {
+    std::promise<std::optional<std::string>> answer;
+    service.set_environment(std::move(input),
+                            [&](std::optional<std::string> error) { answer.set_value(error); });
+    return answer.get_future().get();
+  };
+  const Bytes picture = codec::encode_jpeg(core::ImageRgb8(64, 32, core::Rgb8(200, 40, 40)), 90);
+  EXPECT_EQ(set({.image = picture}), std::nullopt);
+  EXPECT_TRUE(set({.image = Bytes(10)}).has_value());
+  EXPECT_TRUE(
+      set({.image = picture, .projection = EnvironmentInput::Projection::Fisheye}).has_value())
+      << "a fish-eye without calibration";
+  // Frames go on under the new light.
+  Inbox inbox;
+  const ViewId view = service.open_view(small_view(), inbox.deliver());
+  service.submit(view, 1, grey_frame());
+  ASSERT_TRUE(inbox.wait_for(1));
+  EXPECT_TRUE(std::holds_alternative<FrameOutput>(inbox.at(0).second));
 }
 
 TEST(RenderThread, StartFailureReachesTheCaller) {

@@ -36,6 +36,7 @@ class CameraLookupTest : public testing::Test {
     SurfacePoint point;
     point.position = position;
     point.geometric_normal = normal;
+    point.offset = offset_height(5.0f);  // the wall's
     return CameraLookup(view_).look_up(embree, point, lookup_rays_);
   }
 

@@ -50,19 +50,39 @@ TEST(RayOffset, LeavesItsTriangle) {
       if (u + v > 1.0f) u = 1.0f - u, v = 1.0f - v;
       const glm::vec3 direction = glm::normalize(vector() + glm::vec3(1e-3f));
       const SurfacePoint point = surface_point(embree, {0, 0, {u, v}, 0.0f}, -direction);
-      const Ray ray{offset_from_surface(point.position, point.geometric_normal), direction, 1e30f};
+      const Ray ray{point.ray_origin(direction), direction, 1e30f};
       if (embree.intersect(ray, Visible::Everything)) ++again;
     }
   }
   EXPECT_EQ(again, 0);
 }
 
-TEST(RayOffset, MovesToTheSideOfTheNormal) {
-  for (const float far : {0.0f, 0.01f, 1.0f, 1000.0f}) {
-    const glm::vec3 p(0.0f, far, 0.0f);
-    EXPECT_GT(offset_from_surface(p, {0, 1, 0}).y, far);
-    EXPECT_LT(offset_from_surface(p, {0, -1, 0}).y, far);
-    EXPECT_GT(offset_from_surface(-p, {0, 1, 0}).y, -far);
+TEST(RayOffset, LeavesToTheSideOfTheRay) {
+  const glm::vec3 p(1, 2, 3), up(0, 1, 0);
+  for (const glm::vec3& normal : {up, -up}) {
+    EXPECT_GT(offset_from_surface(p, normal, {0.6f, 0.8f, 0}, 1e-3f).y, p.y);
+    EXPECT_LT(offset_from_surface(p, normal, {0.6f, -0.8f, 0}, 1e-3f).y, p.y);
+  }
+}
+
+// numerics B2: the gap between two plates is seen from 4e-5 on at 1 m from the origin, and from
+// 2e-2 on at 1 km.
+TEST(RayOffset, SeesGapsDownToItsResolution) {
+  for (const auto& [far, gap] : {std::pair{1.0f, 4e-5f}, std::pair{1000.0f, 2e-2f}}) {
+    scene::Scene scene;
+    add_object(scene, test_support::make_floor(far, 1.0f), test_support::make_mirror(),
+               scene::Role::Virtual);
+    add_object(scene, test_support::make_floor(far + gap, 1.0f), test_support::make_mirror(),
+               scene::Role::Virtual);
+    EmbreeScene embree(scene);
+    scene::AnchoredScene anchored;
+    anchored.instances = {{0, glm::mat4(1.0f)}, {1, glm::mat4(1.0f)}};
+    embree.place(anchored);
+    const glm::vec3 up(0, 1, 0);
+    const SurfacePoint lower = surface_point(embree, {0, 0, {0.3f, 0.3f}, 0.0f}, -up);
+    const auto hit = embree.intersect({lower.ray_origin(up), up, 1e30f}, Visible::Everything);
+    ASSERT_TRUE(hit) << far;
+    EXPECT_EQ(hit->instance, 1u);
   }
 }
 

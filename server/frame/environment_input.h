@@ -1,0 +1,21 @@
+// From the picture that a client sends of its surroundings to the environment that lights the
+// scene.
+#pragma once
+
+#include "core/image.h"
+#include "frame/frame.h"
+#include "scene/environment.h"
+
+namespace amalgam::frame {
+
+// Decodes and, for a fish-eye, unrolls the picture. Throws codec::JpegError or
+// std::invalid_argument with one line.
+scene::Environment make_environment(const EnvironmentInput& input);
+
+// An equirectangular low-dynamic-range map of what the fish-eye sees (the thesis's camera).
+// Directions that it does not see get the mean colour of those that it does, by solid angle:
+// neither a dark nor a bright hole.
+scene::Environment unroll_fisheye(const core::ImageRgb8& picture, const core::FisheyeModel& fisheye,
+                                  const glm::dquat& world_from_fisheye);
+
+}  // namespace amalgam::frame
