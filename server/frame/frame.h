@@ -82,7 +82,7 @@ using FrameResult = std::variant<FrameOutput, FrameFailure>;
 struct EnvironmentInput {
   Bytes image;
   enum class Projection { Equirectangular, Fisheye } projection = Projection::Equirectangular;
-  core::FisheyeModel fisheye;                         // of a fish-eye image
+  core::FisheyeModel fisheye{};                       // of a fish-eye image
   glm::dquat world_from_fisheye{1.0, 0.0, 0.0, 0.0};  // unit; the world's axes are glTF's
 };
 
