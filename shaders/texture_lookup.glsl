@@ -23,10 +23,17 @@ vec4 decoded_texel(usampler2D map, ivec2 at, bool is_color) {
               decode_texel(texel.b, is_color), float(texel.a) / 255.0);
 }
 
+// Rows of the levels 1 to `last`, of heights max(h / 2^k, 1). Legendre: the sum of floor(h / 2^k) over
+// all k >= 1 is h minus its number of bits. Not a loop: with one in every look-up, llvmpipe's
+// compiler needs longer than anyone waits.
+int rows_down_to(int last, int h) {
+  int rest = h >> last;
+  return h - bitCount(h) - (rest - bitCount(rest)) + max(last - findMSB(h), 0);
+}
+
 // Where a level is, and its size: the full one at the left, the others below each other at its right.
 vec4 sample_level(usampler2D map, ivec2 full, vec2 uv, uvec2 wrap, int level, bool is_color) {
-  ivec2 at = ivec2(level == 0 ? 0 : full.x, 0);
-  for (int above = 1; above < level; ++above) at.y += max(full.y >> above, 1);
+  ivec2 at = level == 0 ? ivec2(0) : ivec2(full.x, rows_down_to(level - 1, full.y));
   ivec2 size = max(full >> level, 1);
   vec2 p = uv * vec2(size) - 0.5;
   if (!(abs(p.x) < 1e9) || !(abs(p.y) < 1e9)) return vec4(0.0, 0.0, 0.0, 1.0);
