@@ -4,17 +4,25 @@ namespace amalgam::client {
 
 std::vector<core::MarkerPose> PoseSmoother::smooth(std::vector<core::MarkerPose> poses,
                                                    Time captured_at) {
+  ++images_;
   std::erase_if(tracks_,
-                [&](const auto& entry) { return captured_at - entry.second.at > kMaxGap; });
+                [&](const auto& entry) { return images_ - entry.second.image > kMaxMissed + 1; });
   for (core::MarkerPose& pose : poses) {
     ++poses_;
     const auto found = tracks_.find(pose.marker);
     if (found != tracks_.end()) {
+      found->second.image = images_;
       follow(found->second, pose, captured_at);
       continue;
     }
-    Track track{
-        OneEuroPosition(options_), OneEuroRotation(options_), pose, pose, {}, {}, captured_at};
+    Track track{OneEuroPosition(options_),
+                OneEuroRotation(options_),
+                pose,
+                pose,
+                {},
+                {},
+                captured_at,
+                images_};
     track.position.filter(pose.translation, 0.0);
     track.rotation.filter(pose.rotation, 0.0);
     tracks_.emplace(pose.marker, std::move(track));

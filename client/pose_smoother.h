@@ -1,7 +1,8 @@
 // Smooths the poses of all markers before they are sent, and measures what that costs and brings.
 //
 // Each marker has its own One-Euro filters, for its position and its rotation in the camera's
-// frame. A marker that was away for longer than kMaxGap begins anew.
+// frame. A marker that was away for more than kMaxMissed images begins anew; images and not time,
+// so that slow cameras are smoothed too.
 #pragma once
 
 #include <chrono>
@@ -25,7 +26,7 @@ struct SmoothingReport {
 class PoseSmoother {
  public:
   using Time = std::chrono::steady_clock::time_point;
-  static constexpr std::chrono::milliseconds kMaxGap{250};  // as long as a server holds a pose
+  static constexpr std::uint64_t kMaxMissed = 8;  // a quarter of a second, as cameras go
 
   explicit PoseSmoother(const OneEuroOptions& options) : options_(options) {}
 
@@ -44,13 +45,14 @@ class PoseSmoother {
     core::MarkerPose raw, smoothed;  // the last
     std::optional<Step> moved, turned;
     Time at;
+    std::uint64_t image = 0;  // in which it was seen last
   };
   void follow(Track& track, core::MarkerPose& pose, Time captured_at);
 
   OneEuroOptions options_;
   std::map<int, Track> tracks_;
   MotionMeter positions_, rotations_;
-  std::uint64_t poses_ = 0;
+  std::uint64_t poses_ = 0, images_ = 0;
 };
 
 }  // namespace amalgam::client

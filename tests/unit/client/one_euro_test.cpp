@@ -140,7 +140,12 @@ TEST(PoseSmoother, MarkersAreFilteredEachOnItsOwnAndForgotten) {
   EXPECT_LT(poses[0].translation.x, 0.01);
   EXPECT_EQ(poses[1].translation.x, 1.0);
   EXPECT_EQ(poses[1].marker, 2);
-  // Away for longer than the gap: where it is now is where it is.
+  // Away for a few images: still the same marker.
+  for (int frame = 2; frame < 10; ++frame) smoother.smooth({}, at_frame(frame));
+  poses = smoother.smooth({pose(1, 0.1)}, at_frame(10));
+  EXPECT_LT(poses[0].translation.x, 0.1);
+  // Away for longer: where it is now is where it is.
+  for (int frame = 11; frame < 20; ++frame) smoother.smooth({}, at_frame(frame));
   poses = smoother.smooth({pose(1, 0.1)}, at_frame(20));
   EXPECT_EQ(poses[0].translation.x, 0.1);
   // The same time again.
