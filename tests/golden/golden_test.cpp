@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <glm/common.hpp>
 #include <sstream>
 
 #include "codec/exr.h"
@@ -54,7 +55,11 @@ std::map<std::string, core::ImageRgb32f> as_colors(const frame::FrameBuffers& bu
   std::map<std::string, core::ImageRgb32f> colors;
   for (const auto& [name, buffer] : buffers) {
     if (const auto* rgb = std::get_if<core::ImageRgb32f>(&buffer)) {
+      // A reflection of the sun is a hundred times as bright as all else: moved by a thousandth of
+      // a pixel it would outweigh the picture.
+      constexpr float kWhite = 4.0f;
       colors[name] = *rgb;
+      for (glm::vec3& color : colors[name].pixels()) color = glm::min(color, glm::vec3(kWhite));
     } else if (const auto* grey = std::get_if<core::Image32f>(&buffer)) {
       colors[name] = as_grey(*grey);
     } else if (const auto* channels = std::get_if<frame::Channels>(&buffer)) {
