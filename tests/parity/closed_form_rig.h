@@ -54,12 +54,14 @@ struct ClosedFormRig {
     return World(std::move(geometry), scene.textures);
   }
 
-  Sample trace(const Vec3& origin, const Vec3& direction) const {
+  // spread: how fast the ray's cone widens, which decides on the textures' level of detail.
+  Sample trace(const Vec3& origin, const Vec3& direction, double spread = 0.0) const {
     const World surfaces = world();
     const Whitted tracer({surfaces, lights, scene.environment ? &*scene.environment : nullptr,
                           camera_view, settings});
     Decisions decisions;
-    return tracer.trace({origin, glm::normalize(direction)}, decisions);
+    return tracer.trace(
+        {.origin = origin, .direction = glm::normalize(direction), .spread = spread}, decisions);
   }
 };
 

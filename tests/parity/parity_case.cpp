@@ -28,12 +28,6 @@ core::ImageRgb8 make_camera_image(int width, int height) {
   return image;
 }
 
-// The reference reads textures at their full size only; how mip-mapping filters is not its subject.
-template <typename Texture>
-void keep_full_size_only(Texture& texture) {
-  if constexpr (requires { texture.mips.clear(); }) texture.mips.clear();
-}
-
 core::MarkerPose make_pose(int marker) {
   const glm::dmat4 camera_from_world =
       test_support::look_at({0.03, 0.27, 0.24}, {-0.005, 0.015, -0.08});
@@ -49,7 +43,6 @@ ParityCase make_parity_case(const std::string& scene_name, int width, int height
   result.name = scene_name + " " + std::to_string(width) + "x" + std::to_string(height);
   result.scene =
       scene::load_scene(std::string(AMALGAM_SOURCE_DIR) + "/deploy/scenes/" + scene_name + ".gltf");
-  for (scene::Texture& texture : result.scene.textures) keep_full_size_only(texture);
   result.camera = test_support::make_pinhole(width, height, 1.1 * width);
   place_camera(result);
   return result;

@@ -191,7 +191,9 @@ TEST(ReferenceCamera, TextureWrapping) {
   texture.wrap_v = scene::Wrap::Clamp;
   texture.texels.at(0, 0) = {0, 0, 0, 0};
   texture.texels.at(1, 0) = {255, 255, 255, 255};
-  const auto red = [&](double u) { return sample_texture(texture, {u, 0.3}).r; };
+  const auto red = [&](double u) {
+    return sample_texture(texture, TextureContent::Color, {u, 0.3}).r;
+  };
   EXPECT_NEAR(red(0.25), 0.0, 1e-15);
   EXPECT_NEAR(red(0.75), 1.0, 1e-15);
   EXPECT_NEAR(red(0.5), 0.5, 1e-15);

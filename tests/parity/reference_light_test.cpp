@@ -129,8 +129,7 @@ TEST(ReferenceLight, FallsOffWithDistanceRangeAndCone) {
 
 TEST(ReferenceLight, PhongReflectsNoMoreThanItReceives) {
   for (const double roughness : {1.0, 0.5, 0.2}) {
-    const Phong phong =
-        phong_of(make_diffuse(glm::vec3(1.0f), static_cast<float>(roughness)), Color(1.0));
+    const Phong phong = phong_of(Color(1.0), 0.0, roughness);
     for (const double degrees : {0.0, 45.0, 80.0}) {
       const double angle = degrees * kPi / 180.0;
       const Vec3 to_light(std::sin(angle), 0.0, std::cos(angle));

@@ -4,15 +4,18 @@
 
 namespace amalgam::reference {
 
-Phong phong_of(const scene::Material& material, const Color& base_color) {
+Phong phong_of(const Color& base_color, double metallic, double roughness) {
   constexpr double kDielectricReflectance = 0.04;
-  const double metallic = static_cast<double>(material.metallic);
-  const double alpha = static_cast<double>(material.roughness) * material.roughness;
+  const double alpha = roughness * roughness;
   Phong phong;
   phong.specular = glm::mix(Color(kDielectricReflectance), base_color, metallic);
   phong.albedo = base_color * (1.0 - metallic) * (1.0 - kDielectricReflectance);
   phong.exponent = alpha > 0.0 ? std::clamp(0.5 / (alpha * alpha) - 0.5, 0.0, 1024.0) : 1024.0;
   return phong;
+}
+
+Phong lambertian(const Color& base_color) {
+  return {.albedo = base_color};
 }
 
 Color reflected(const Phong& phong, const Vec3& normal, const Vec3& to_light,

@@ -1,7 +1,6 @@
 // What a diffuse surface sends back of the light that arrives (eq. 4.6), normalised.
 #pragma once
 
-#include "scene/material.h"
 #include "support/reference/vectors.h"
 
 namespace amalgam::reference {
@@ -12,8 +11,11 @@ struct Phong {
   double exponent = 0.0;
 };
 
-// From glTF's base colour (texture included), metallic and roughness.
-Phong phong_of(const scene::Material& material, const Color& base_color);
+// From glTF's three numbers at a point.
+Phong phong_of(const Color& base_color, double metallic, double roughness);
+
+// A surface without a mirror image: scatters all of its base colour.
+Phong lambertian(const Color& base_color);
 
 // Radiance towards to_viewer for irradiance 1 on a surface facing the light:
 //   (N.L) (albedo / pi + specular (n + 2) / (2 pi) max(R.V, 0)^n)

@@ -36,6 +36,22 @@ int wrap_index(int i, int size, scene::Wrap wrap) {
   return std::clamp(i, 0, size - 1);
 }
 
+Vec4 decode(const core::Rgba8& texel, TextureContent content) {
+  if (content == TextureContent::Data) return Vec4(texel) / 255.0;
+  return {srgb_decode_byte(texel.r), srgb_decode_byte(texel.g), srgb_decode_byte(texel.b),
+          texel.a / 255.0};
+}
+
+Vec4 sample_level(const scene::Texture& texture, TextureContent content, std::size_t level,
+                  const Vec2& uv) {
+  const core::ImageRgba8& texels = level == 0 ? texture.texels : texture.mips[level - 1];
+  return mix_bilinearly(uv * Vec2(texels.size()) - 0.5, [&](int x, int y) {
+    return decode(texels.at(wrap_index(x, texels.width(), texture.wrap_u),
+                            wrap_index(y, texels.height(), texture.wrap_v)),
+                  content);
+  });
+}
+
 }  // namespace
 
 Color sample_camera_image(const core::ImageRgb8& image, const Vec2& pixel) {
@@ -46,15 +62,20 @@ Color sample_camera_image(const core::ImageRgb8& image, const Vec2& pixel) {
   });
 }
 
-Vec4 sample_texture(const scene::Texture& texture, const Vec2& uv) {
-  const Vec2 size(texture.texels.size());
-  return mix_bilinearly(uv * size - 0.5, [&](int x, int y) {
-    const core::Rgba8& texel =
-        texture.texels.at(wrap_index(x, texture.texels.width(), texture.wrap_u),
-                          wrap_index(y, texture.texels.height(), texture.wrap_v));
-    return Vec4(srgb_decode_byte(texel.r), srgb_decode_byte(texel.g), srgb_decode_byte(texel.b),
-                texel.a / 255.0);
-  });
+double level_of_detail(const scene::Texture& texture, double uv_area) {
+  const double texels = uv_area * texture.texels.width() * texture.texels.height();
+  if (texels <= 1.0) return 0.0;
+  return std::min(0.5 * std::log2(texels), static_cast<double>(texture.mips.size()));
+}
+
+Vec4 sample_texture(const scene::Texture& texture, TextureContent content, const Vec2& uv,
+                    double uv_area) {
+  const double level = level_of_detail(texture, uv_area);
+  const auto finer = static_cast<std::size_t>(level);
+  const double share = level - std::floor(level);
+  const Vec4 fine = sample_level(texture, content, finer, uv);
+  if (share == 0.0) return fine;
+  return (1.0 - share) * fine + share * sample_level(texture, content, finer + 1, uv);
 }
 
 Color environment_towards(const scene::Environment& environment, const Vec3& direction) {

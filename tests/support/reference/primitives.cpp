@@ -3,6 +3,18 @@
 #include <cmath>
 
 namespace amalgam::reference {
+namespace {
+
+// Where a cone meets a plane under the cosine c, it covers a square of side width / |c|
+// (Akenine-Moller et al., Ray Tracing Gems, 2019, ch. 20).
+double covered_area(const Ray& ray, double t, const Vec3& plane_normal) {
+  constexpr double kEdgeOn = 1e-4;
+  const double cosine = std::abs(glm::dot(ray.direction, plane_normal));
+  const double side = ray.width_at(t) / std::max(kEdgeOn, cosine);
+  return side * side;
+}
+
+}  // namespace
 
 void Box::include(const Vec3& point) {
   low = glm::min(low, point);
@@ -48,7 +60,8 @@ std::optional<Hit> intersect(const Ray& ray, const Triangle& triangle) {
   const Vec3 normal = u * triangle.normals[0] + v * triangle.normals[1] + w * triangle.normals[2];
   const double length = glm::length(normal);
   hit.shading_normal = length > 0.0 ? normal / length : triangle.geometric_normal;
-  hit.uv = u * triangle.uvs[0] + v * triangle.uvs[1] + w * triangle.uvs[2];
+  hit.weights = {u, v, w};
+  hit.covered_area = covered_area(ray, t, triangle.geometric_normal);
   hit.object = triangle.object;
   return hit;
 }

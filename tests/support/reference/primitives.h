@@ -21,9 +21,8 @@ struct Box {
 // World frame, metres.
 struct Triangle {
   std::array<Vec3, 3> corners{};
-  std::array<Vec3, 3> normals{};  // unit
-  std::array<Vec2, 3> uvs{};
-  Vec3 geometric_normal{0.0};  // unit, outwards even if the mesh is mirrored
+  std::array<Vec3, 3> normals{};  // interpolated as they are, and made unit then
+  Vec3 geometric_normal{0.0};     // unit, outwards even if the mesh is mirrored
   std::uint32_t object = 0;
 };
 

@@ -84,7 +84,9 @@ class Rendering {
 
   Sample trace(const Vec2& position, Decisions& decisions) const {
     const Vec3 direction = glm::dmat3(world_from_camera_) * pinhole_direction(ideal_, position);
-    const Ray primary{Vec3(world_from_camera_[3]), glm::normalize(direction)};
+    Ray primary{Vec3(world_from_camera_[3]), glm::normalize(direction)};
+    // The angle between neighbouring samples at the image's centre, all over the image.
+    primary.spread = 1.0 / (ideal_.fy * request_.samples_per_side);
     return Whitted(inputs_).trace(primary, decisions);
   }
 

@@ -12,12 +12,13 @@ struct Passage {
 
   void add(const World& world, const Ray& ray, const Hit& hit) {
     const scene::Material& material = world.object(hit).material;
-    if (!(material.kind == scene::MaterialKind::Dielectric)) {
+    if (material.kind != scene::MaterialKind::Dielectric) {
       factor = Color(0.0);
       return;
     }
+    const SurfaceMaterial here = world.material(hit);
     const double ior = static_cast<double>(material.ior);
-    const double cosine = std::abs(glm::dot(hit.shading_normal, ray.direction));
+    const double cosine = std::abs(glm::dot(here.normal, ray.direction));
     double reflected = schlick(normal_reflectance(1.0, ior), std::min(1.0, cosine));
     if (material.thin) {
       reflected = thin_reflectance(reflected);
@@ -25,7 +26,7 @@ struct Passage {
       const double sign = is_front(ray, hit) ? -1.0 : 1.0;
       optical_depth += sign * hit.t * Color(material.absorption);
     }
-    factor *= Color(world.base_color(hit)) * (1.0 - reflected);
+    factor *= here.transmission * (1.0 - reflected) * Color(here.base_color);
   }
 
   Color attenuation() const { return factor * glm::exp(-glm::max(optical_depth, Color(0.0))); }

@@ -2,7 +2,6 @@
 
 #include "support/reference/arriving_light.h"
 #include "support/reference/bent_normal.h"
-#include "support/reference/phong.h"
 #include "support/reference/pictures.h"
 #include "support/reference/shadow.h"
 
@@ -30,12 +29,10 @@ void Whitted::follow(const Branch& branch, Collector& to) const {
   }
   const Object& object = in_.world.object(*hit);
   const double side = is_front(branch.ray, *hit) ? 1.0 : -1.0;
-  Surface surface{*hit,
-                  object,
-                  side * hit->geometric_normal,
-                  side * hit->shading_normal,
-                  -branch.ray.direction,
-                  Color(in_.world.base_color(*hit))};
+  const SurfaceMaterial material = in_.world.material(*hit);
+  const Surface surface{
+      *hit,    object, side * hit->geometric_normal, side * material.normal, -branch.ray.direction,
+      material};
   if (object.role == scene::Role::Virtual) to.sample.met_virtual = true;
   if (object.material.kind == scene::MaterialKind::Diffuse) {
     add_diffuse(arrived, surface, to);
@@ -43,11 +40,9 @@ void Whitted::follow(const Branch& branch, Collector& to) const {
   }
 
   if (branch.depth == 0) to.sample.specular_first = true;
-  const Color glow = arrived.weight * Color(object.material.emission);
+  const Color glow = arrived.weight * surface.material.emission;
   to.sample.mixed += glow;
   if (object.role == scene::Role::Real) to.sample.real += glow;
-  surface.shading_normal =
-      bend_normal(surface.shading_normal, surface.geometric_normal, surface.to_viewer);
   if (object.material.kind == scene::MaterialKind::Mirror) {
     meet_mirror(arrived, surface, to);
   } else if (object.material.thin) {
@@ -80,7 +75,10 @@ void Whitted::add_environment(const Branch& branch, Collector& to) const {
 }
 
 void Whitted::add_diffuse(const Branch& branch, const Surface& surface, Collector& to) const {
-  const auto [m, r] = shade(surface, to);
+  const SurfaceMaterial& material = surface.material;
+  const auto [lit_mixed, lit_real] = illuminate(
+      phong_of(surface.base_color(), material.metallic, material.roughness), surface, to);
+  const Color m = material.emission + lit_mixed, r = material.emission + lit_real;
   const Color& w = branch.weight;
   if (surface.object.role == scene::Role::Virtual) {
     to.sample.mixed += w * m;
@@ -98,10 +96,20 @@ void Whitted::add_diffuse(const Branch& branch, const Surface& surface, Collecto
   to.sample.real += w * (f * l + (1.0 - f) * r);
 }
 
-Whitted::Shaded Whitted::shade(const Surface& surface, Collector& to) const {
-  const scene::Material& material = surface.object.material;
-  const Phong phong = phong_of(material, surface.base_color);
-  Shaded result{Color(material.emission), Color(material.emission)};
+// What glass neither reflects nor lets through comes back from its surface, Lambertian. As it is
+// modelled: what the camera sees there is mostly not this.
+void Whitted::add_scattered(const Branch& branch, const Surface& surface, double not_reflected,
+                            Collector& to) const {
+  const double share = not_reflected * (1.0 - surface.material.transmission);
+  if (share == 0.0) return;
+  const auto [m, r] = illuminate(lambertian(surface.base_color()), surface, to);
+  to.sample.mixed += share * branch.weight * m;
+  if (surface.object.role == scene::Role::Real) to.sample.real += share * branch.weight * r;
+}
+
+Whitted::Shaded Whitted::illuminate(const Phong& phong, const Surface& surface,
+                                    Collector& to) const {
+  Shaded result{Color(0.0), Color(0.0)};
   for (const scene::Light& light : in_.lights) {
     const ArrivingLight arrival = arriving_light(light, surface.hit.position);
     if (!(glm::dot(surface.shading_normal, arrival.to_light) > 0.0)) continue;
@@ -118,19 +126,26 @@ Whitted::Shaded Whitted::shade(const Surface& surface, Collector& to) const {
   return result;
 }
 
+Vec3 Whitted::mirror_normal(const Surface& surface) {
+  return bend_normal(surface.shading_normal, surface.geometric_normal, surface.to_viewer);
+}
+
 void Whitted::meet_mirror(const Branch& branch, const Surface& surface, Collector& to) const {
-  const double cosine = std::min(1.0, glm::dot(surface.shading_normal, surface.to_viewer));
-  const Vec3 direction = reflect(branch.ray.direction, surface.shading_normal);
-  spawn(child_of(branch, surface, direction, schlick(surface.base_color, cosine)), to);
+  const Vec3 normal = mirror_normal(surface);
+  const double cosine = std::min(1.0, glm::dot(normal, surface.to_viewer));
+  const Vec3 direction = reflect(branch.ray.direction, normal);
+  spawn(child_of(branch, surface, direction, schlick(surface.base_color(), cosine)), to);
 }
 
 void Whitted::meet_thin_glass(const Branch& branch, const Surface& surface, Collector& to) const {
-  const double cosine = std::min(1.0, glm::dot(surface.shading_normal, surface.to_viewer));
+  const Vec3 normal = mirror_normal(surface);
+  const double cosine = std::min(1.0, glm::dot(normal, surface.to_viewer));
   const double ior = static_cast<double>(surface.object.material.ior);
   const double k_s = thin_reflectance(reflectance(in_.settings.fresnel, 1.0, ior, cosine));
-  const Vec3 reflected_direction = reflect(branch.ray.direction, surface.shading_normal);
-  spawn(child_of(branch, surface, reflected_direction, Color(k_s)), to);
-  spawn(child_of(branch, surface, branch.ray.direction, (1.0 - k_s) * surface.base_color), to);
+  const Color passing = (1.0 - k_s) * surface.material.transmission * surface.base_color();
+  spawn(child_of(branch, surface, reflect(branch.ray.direction, normal), Color(k_s)), to);
+  spawn(child_of(branch, surface, branch.ray.direction, passing), to);
+  add_scattered(branch, surface, 1.0 - k_s, to);
 }
 
 void Whitted::meet_glass(const Branch& branch, const Surface& surface, Collector& to) const {
@@ -143,22 +158,25 @@ void Whitted::meet_glass(const Branch& branch, const Surface& surface, Collector
                                    : refractive_index(branch.media.innermost());
   const double n2 = refractive_index(beyond.innermost());
 
-  const double cosine = std::min(1.0, glm::dot(surface.shading_normal, surface.to_viewer));
-  const auto refracted_direction = refract(branch.ray.direction, surface.shading_normal, n1, n2);
+  const Vec3 normal = mirror_normal(surface);
+  const double cosine = std::min(1.0, glm::dot(normal, surface.to_viewer));
+  const auto refracted_direction = refract(branch.ray.direction, normal, n1, n2);
   const double k_s = refracted_direction ? reflectance(in_.settings.fresnel, n1, n2, cosine) : 1.0;
-  const Vec3 reflected_direction = reflect(branch.ray.direction, surface.shading_normal);
-  spawn(child_of(branch, surface, reflected_direction, Color(k_s)), to);
+  spawn(child_of(branch, surface, reflect(branch.ray.direction, normal), Color(k_s)), to);
   if (!refracted_direction) return;
-  Branch refracted =
-      child_of(branch, surface, *refracted_direction, (1.0 - k_s) * surface.base_color);
+  const Color passing = (1.0 - k_s) * surface.material.transmission * surface.base_color();
+  Branch refracted = child_of(branch, surface, *refracted_direction, passing);
   refracted.media = beyond;
   spawn(refracted, to);
+  add_scattered(branch, surface, 1.0 - k_s, to);
 }
 
 Whitted::Branch Whitted::child_of(const Branch& parent, const Surface& surface,
                                   const Vec3& direction, const Color& share) {
-  return {ray_from_surface(surface.hit.position, direction), parent.weight * share,
-          parent.depth + 1, parent.media};
+  Ray ray = ray_from_surface(surface.hit.position, direction);
+  ray.width = parent.ray.width_at(surface.hit.t);
+  ray.spread = parent.ray.spread;
+  return {ray, parent.weight * share, parent.depth + 1, parent.media};
 }
 
 }  // namespace amalgam::reference

@@ -10,6 +10,7 @@
 #include "support/reference/decisions.h"
 #include "support/reference/fresnel.h"
 #include "support/reference/media_stack.h"
+#include "support/reference/phong.h"
 #include "support/reference/world.h"
 
 namespace amalgam::reference {
@@ -55,9 +56,10 @@ class Whitted {
     const Hit& hit;
     const Object& object;
     Vec3 geometric_normal;  // facing
-    Vec3 shading_normal;    // on the same side of the mesh
+    Vec3 shading_normal;    // on the same side of the mesh; bent by a normal texture
     Vec3 to_viewer;
-    Color base_color;
+    SurfaceMaterial material;
+    Color base_color() const { return Color(material.base_color); }
   };
   struct Collector {
     Sample& sample;
@@ -72,10 +74,14 @@ class Whitted {
   void spawn(const Branch& child, Collector& to) const;
   void add_environment(const Branch& branch, Collector& to) const;
   void add_diffuse(const Branch& branch, const Surface& surface, Collector& to) const;
-  Shaded shade(const Surface& surface, Collector& to) const;
+  void add_scattered(const Branch& branch, const Surface& surface, double not_reflected,
+                     Collector& to) const;
+  Shaded illuminate(const Phong& phong, const Surface& surface, Collector& to) const;
   void meet_mirror(const Branch& branch, const Surface& surface, Collector& to) const;
   void meet_thin_glass(const Branch& branch, const Surface& surface, Collector& to) const;
   void meet_glass(const Branch& branch, const Surface& surface, Collector& to) const;
+  // The shading normal that reflections and refractions are taken at (bent_normal.h).
+  static Vec3 mirror_normal(const Surface& surface);
   static Branch child_of(const Branch& parent, const Surface& surface, const Vec3& direction,
                          const Color& share);
 

@@ -11,17 +11,19 @@
 #include "scene/scene.h"
 #include "support/reference/bounding_tree.h"
 #include "support/reference/primitives.h"
+#include "support/reference/surface_material.h"
 
 namespace amalgam::reference {
 
 struct Object {
-  scene::Material material;
+  scene::Material material;  // without textures that the mesh has no coordinates for
   std::uint32_t medium = 0;  // the same number: the same glass
   scene::Role role = scene::Role::Virtual;
 };
 
 struct Geometry {
   std::vector<Triangle> triangles;
+  std::vector<TriangleAttributes> attributes;  // of each triangle
   std::vector<Ball> balls;
   std::vector<Object> objects;  // of which primitives are part
 };
@@ -36,8 +38,8 @@ class World {
 
   const Object& object(const Hit& hit) const { return geometry_.objects[hit.object]; }
 
-  // Base colour times texture, linear; alpha.
-  Vec4 base_color(const Hit& hit) const;
+  // What the surface is made of at that point; for its normal, which side does not matter.
+  SurfaceMaterial material(const Hit& hit) const { return surface_material(place(hit)); }
 
   // The nearest surface. Those whose alpha lies below their cut-off are not there.
   std::optional<Hit> closest(Ray ray) const;
@@ -61,6 +63,7 @@ class World {
  private:
   bool is_ball(std::uint32_t primitive) const { return primitive >= geometry_.triangles.size(); }
   std::optional<Hit> intersect_primitive(const Ray& ray, std::uint32_t primitive) const;
+  SurfacePlace place(const Hit& hit) const;
   bool exists(const Hit& hit) const;
 
   Geometry geometry_;
