@@ -28,6 +28,7 @@ double normal_incidence(double eta_incident, double eta_transmitted) {
 }  // namespace
 
 double reflectance_schlick(double cos_incident, double eta_incident, double eta_transmitted) {
+  if (eta_incident == eta_transmitted) return 0.0;
   const double sin2 = sin2_transmitted(cos_incident, eta_incident, eta_transmitted);
   if (sin2 >= 1.0) return 1.0;
   const double cosine = eta_incident > eta_transmitted ? std::sqrt(1.0 - sin2) : cos_incident;

@@ -13,7 +13,8 @@ enum class FresnelModel { Schlick, Exact };
 // in [0, 1]; k_t = 1 - k_s. Total internal reflection gives exactly 1.
 //
 // Schlick's polynomial takes the cosine on the *less dense* side (numerics A3, B3): eq. 4.7 with
-// the cosine inside glass would be wrong by up to 0.959.
+// the cosine inside glass would be wrong by up to 0.959. Between equal indices there is no surface,
+// so 0 there, where the polynomial would still rise to 1 at grazing angles.
 double reflectance_schlick(double cos_incident, double eta_incident, double eta_transmitted);
 // Unpolarised Fresnel equations.
 double reflectance_exact(double cos_incident, double eta_incident, double eta_transmitted);

@@ -45,6 +45,15 @@ TEST(Fresnel, SchlickIsNearExactOnBothSides) {
   EXPECT_NEAR(worst_inside, 0.0357, 1e-3);
 }
 
+// Where a liquid's mesh reaches into its glass, rays pass surfaces between equal media.
+TEST(Fresnel, NothingReflectsBetweenEqualMedia) {
+  for (const double degrees : {0.0, 45.0, 80.0, 89.9}) {
+    const double c = std::cos(radians(degrees));
+    EXPECT_EQ(reflectance_schlick(c, 1.5, 1.5), 0.0) << degrees;
+    EXPECT_LT(reflectance_exact(c, 1.5, 1.5), 1e-20) << degrees;
+  }
+}
+
 // B4: around the critical angle the decision is right and the direction stays accurate.
 TEST(Fresnel, CriticalAngleIsDecidedRight) {
   const double critical = std::asin(1.0 / 1.5);

@@ -9,65 +9,12 @@
 
 #include "scene/tone_map.h"
 #include "support/scene_builders.h"
+#include "unit/trace/trace_shot.h"
 
 namespace amalgam::trace {
 namespace {
 
 using test_support::add_object;
-
-scene::AnchoredScene anchor_all(const scene::Scene& scene) {
-  scene::AnchoredScene anchored;
-  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
-    anchored.instances.push_back({i, scene.instances[i].anchor_from_mesh});
-  }
-  return anchored;
-}
-
-scene::Environment constant_environment(float radiance, bool low_dynamic_range = false) {
-  return {core::ImageRgb32f(8, 4, glm::vec3(radiance)), low_dynamic_range};
-}
-
-scene::Material emitter(float radiance) {
-  scene::Material material = test_support::make_diffuse(glm::vec3(0.0f));
-  material.emission = glm::vec3(radiance);
-  return material;
-}
-
-struct Shot {
-  glm::dvec3 eye{0, 0, 2}, target{0, 0, 0};
-  TraceSettings settings{};
-  const scene::Environment* environment = nullptr;
-  std::vector<scene::Light> lights{};
-  const core::ImageRgb8* camera_image = nullptr;
-  int width = 9, height = 9, samples_per_side = 1;
-  double focal_length = 200.0;
-};
-
-TraceResult trace_shot(const scene::Scene& scene, const Shot& shot) {
-  EmbreeScene embree(scene);
-  embree.place(anchor_all(scene));
-  const core::CameraModel camera =
-      test_support::make_pinhole(shot.width, shot.height, shot.focal_length);
-  const glm::dmat4 camera_from_world = test_support::look_at(shot.eye, shot.target);
-  CameraView lookup{.camera = camera,
-                    .camera_from_world = camera_from_world,
-                    .image = shot.camera_image,
-                    .ideal = camera};
-  return trace({.scene = embree,
-                .lights = shot.lights,
-                .environment = shot.environment,
-                .camera = camera,
-                .camera_from_world = camera_from_world,
-                .samples_per_side = shot.samples_per_side,
-                .lookup = shot.camera_image != nullptr ? &lookup : nullptr,
-                .settings = shot.settings,
-                .keep_images = true});
-}
-
-glm::vec3 centre(const TraceResult& result) {
-  const auto& mixed = result.images->mixed;
-  return mixed.at(mixed.width() / 2, mixed.height() / 2);
-}
 
 // numerics B5: a slab before a lamp transmits (1-R)/(1+R); partial sums by depth.
 TEST(Tracer, SlabTransmitsTheSumOfItsInnerBounces) {
