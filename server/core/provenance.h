@@ -6,12 +6,15 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/image.h"
+
 namespace amalgam::core {
 
 enum class LightSource : std::uint8_t {
   Raster,         // drawn by the rasteriser
   TracedVirtual,  // a virtual diffuse surface at the end of a ray
-  CameraLookup,   // the camera's own colour of a real surface at the end of a ray
+  CameraLookup,   // the camera's own colour of a real surface at the end of a ray, or under the
+                  // pixel
   ModelledReal,   // a real surface as it is modelled: the camera does not see it
   Environment,    // a ray that left the scene
   CutOff,  // a ray ended by the depth limit or the importance cut-off: environment instead of what
@@ -24,6 +27,7 @@ inline constexpr std::array<const char*, kLightSources> kLightSourceNames{
 // Shares by LightSource. A ray's share is the mean of its weight's channels, so that shares of a
 // sample sum to at most 1; what is missing was absorbed by coloured mirrors and glass.
 using Provenance = std::array<float, kLightSources>;
+using ProvenanceImage = Image<Provenance>;  // means over the samples of each pixel
 
 inline void add_share(Provenance& provenance, LightSource source, float share) {
   provenance[static_cast<std::size_t>(source)] += share;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "frame/frame_provenance.h"
 #include "passes/read_back.h"
 
 namespace amalgam::frame {
@@ -59,29 +60,13 @@ core::Image32f tracing_mask(const core::Image<std::uint8_t>& flags) {
   return mask;
 }
 
-// Shares of each pixel's light. What the rasteriser drew is the rest of the mask's surfaces.
-Channels provenance_channels(const trace::TraceResult* traced, const passes::SampleMask* mask,
-                             const passes::RenderView& view) {
+Channels provenance_channels(const core::ProvenanceImage& provenance) {
   Channels channels;
-  for (const char* name : core::kLightSourceNames) {
-    channels.emplace_back(name, core::Image32f(view.ideal.width, view.ideal.height));
-  }
-  const int n = view.samples_per_side;
-  const auto rasterised = [](std::uint8_t flags) {
-    return (flags & passes::SampleMask::kSurface) != 0 &&
-           (flags & passes::SampleMask::kSpecular) == 0;
-  };
-  for (int y = 0; y < view.ideal.height; ++y) {
-    for (int x = 0; x < view.ideal.width; ++x) {
-      for (std::size_t k = 0; traced != nullptr && k < core::kLightSources; ++k) {
-        channels[k].second.at(x, y) = traced->images->provenance.at(x, y)[k];
-      }
-      for (int s = 0; mask != nullptr && s < n * n; ++s) {
-        if (rasterised(mask->flags.at(x * n + s % n, y * n + s / n))) {
-          channels.front().second.at(x, y) += 1.0f / static_cast<float>(n * n);
-        }
-      }
-    }
+  for (std::size_t k = 0; k < core::kLightSources; ++k) {
+    core::Image32f channel(provenance.width(), provenance.height());
+    std::transform(provenance.pixels().begin(), provenance.pixels().end(), channel.data(),
+                   [k](const core::Provenance& shares) { return shares[k]; });
+    channels.emplace_back(core::kLightSourceNames[k], std::move(channel));
   }
   return channels;
 }
@@ -105,7 +90,9 @@ FrameBuffers collect_buffers(const graph::FrameGraph& graph, const FramePasses& 
     buffers.emplace("real", std::move(thesis.real));
     buffers.emplace("environment_reflection", std::move(thesis.environment_reflection));
     buffers.emplace("virtual_mask", std::move(thesis.virtual_mask));
-    buffers.emplace("provenance", provenance_channels(traced, graph.peek(frame.mask.mask), view));
+  }
+  if (const auto provenance = frame_provenance(graph, frame, view)) {
+    buffers.emplace("provenance", provenance_channels(*provenance));
   }
   if (const passes::SampleMask* mask = graph.peek(frame.mask.mask)) {
     buffers.emplace("tracing_mask", tracing_mask(first_samples(mask->flags, view)));

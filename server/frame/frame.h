@@ -51,8 +51,6 @@ struct FrameStatistics {
   std::vector<PassRecord> passes;
   core::RayCounts rays;
   PixelCounts pixels;
-  // Sums over pixels of the shares that light from each source has (core/provenance.h).
-  std::array<double, core::kLightSources> provenance{};
   std::uint64_t nonfinite = 0;  // values that a stage had to replace by 0
   float exposure = 1.0f;
 };
@@ -61,6 +59,9 @@ struct FrameOutput {
   Bytes jpeg;              // the composite; the client's own bytes if nothing virtual had an effect
   bool unchanged = false;  // those bytes are the input's
   core::ImageRgb8 pixels;  // the composite, only if ViewOptions::keep_pixels
+  // Where each pixel's light came from, of the ideal image; only if ViewOptions::keep_provenance
+  // and something was drawn.
+  std::optional<core::ProvenanceImage> provenance;
   FrameStatistics statistics;
 };
 
@@ -68,6 +69,7 @@ struct ViewOptions {
   core::CameraModel camera;
   int jpeg_quality = 0;  // 1..100; 0: the default, and an unaffected frame goes back byte for byte
   bool keep_pixels = false;  // also return the composite as pixels
+  bool keep_provenance = false;
 };
 
 struct FrameFailure {

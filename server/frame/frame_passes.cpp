@@ -43,6 +43,7 @@ passes::TraceInputs trace_inputs(const SceneResources& resources, const FrameReq
           .environment = environment ? &*environment : nullptr,
           .settings = request.settings.trace,
           .keep_images = request.keep_buffers,
+          .keep_provenance = request.keep_buffers || request.view.options.keep_provenance,
           .specular = frame.mask.specular,
           .mask = frame.mask.mask,
           .scene = frame.placed,

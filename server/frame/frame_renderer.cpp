@@ -7,6 +7,7 @@
 
 #include "frame/collect_buffers.h"
 #include "frame/frame_passes.h"
+#include "frame/frame_provenance.h"
 #include "frame/scene_variant.h"
 #include "scene/anchored_scene.h"
 #include "scene/env_lights.h"
@@ -42,15 +43,12 @@ FrameStatistics collect_statistics(const graph::FrameGraph& graph, const FramePa
   if (const trace::TraceResult* traced = graph.peek(frame.traced)) {
     statistics.rays = traced->rays;
     statistics.nonfinite += traced->nonfinite;
-    statistics.provenance = traced->provenance;
     statistics.pixels.virtual_pixels = traced->primary_virtual / samples;
     statistics.pixels.specular = traced->primary_specular / samples;
   }
   if (const passes::SampleCounts* counts = graph.peek(frame.mask.counts)) {
     statistics.pixels.virtual_pixels = counts->virtual_surface / samples;
     statistics.pixels.specular = counts->specular / samples;
-    statistics.provenance[static_cast<std::size_t>(core::LightSource::Raster)] +=
-        static_cast<double>(counts->surface - counts->specular) / static_cast<double>(samples);
   }
   if (const passes::Refinement* refinement = graph.peek(frame.refinement)) {
     statistics.rays += refinement->rays;
@@ -118,6 +116,8 @@ class FrameRenderer::Impl {
 
     FrameOutput output = take_output(graph, frame, view, input);
     if (buffers != nullptr) *buffers = collect_buffers(graph, frame, render_view);
+    if (view.options.keep_provenance)
+      output.provenance = frame_provenance(graph, frame, render_view);
     output.statistics = collect_statistics(graph, frame, render_view);
     core::add_time(output.statistics.stages, "total", stopwatch.milliseconds());
     last_graph_ = graph.to_graphviz();

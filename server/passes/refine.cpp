@@ -85,19 +85,19 @@ RefineOutputs add_refine_pass(graph::FrameGraph& graph, const RefineInputs& in) 
       hits = trace::find_first_hits(*access.get(in.trace.scene).scene, view.ideal,
                                     view.scene.camera_from_world);
     }
-    const core::Image<std::uint8_t> edges =
-        find_edges(layers, hits ? &*hits : nullptr, in.threshold);
+    core::Image<std::uint8_t> edges = find_edges(layers, hits ? &*hits : nullptr, in.threshold);
     const core::Image<std::uint8_t> mask = sample_mask(edges, in.samples_per_side);
-    const trace::TraceResult refined =
-        trace_samples(in.trace, access, {&mask, 1, in.samples_per_side});
+    trace::TraceResult refined = trace_samples(in.trace, access, {&mask, 1, in.samples_per_side});
     replace_marked(layers, refined.layers, edges);
 
-    Refinement statistics{refined.rays, 0, refined.nonfinite};
+    Refinement statistics{.rays = refined.rays, .nonfinite = refined.nonfinite};
     if (hits) statistics.rays.primary += edges.pixels().size();
     statistics.pixels =
         static_cast<std::uint64_t>(std::count(edges.pixels().begin(), edges.pixels().end(), 1));
+    statistics.marked = std::move(edges);
+    statistics.provenance = std::move(refined.provenance);
     access.set(out.layers, std::move(layers));
-    access.set(out.statistics, statistics);
+    access.set(out.statistics, std::move(statistics));
   });
   return out;
 }

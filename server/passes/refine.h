@@ -7,6 +7,9 @@
 // rasteriser does. A shadow's edge thus comes from rays and not from the shadow map.
 #pragma once
 
+#include <optional>
+
+#include "core/provenance.h"
 #include "core/ray_counts.h"
 #include "graph/frame_graph.h"
 #include "passes/frame_resources.h"
@@ -32,6 +35,9 @@ struct Refinement {
   core::RayCounts rays;  // first hits as primary
   std::uint64_t pixels = 0;
   std::uint64_t nonfinite = 0;
+  // Of the pixels taken again, if TraceInputs::keep_provenance.
+  core::Image<std::uint8_t> marked{};  // 1: taken again
+  std::optional<core::ProvenanceImage> provenance{};
 };
 
 struct RefineInputs {

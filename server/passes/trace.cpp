@@ -45,6 +45,7 @@ trace::TraceResult trace_samples(const TraceInputs& in, const graph::Access& acc
       .exposure = access.get(in.exposure),
       .settings = in.settings,
       .keep_images = in.keep_images,
+      .keep_provenance = in.keep_provenance,
   });
 }
 

@@ -27,6 +27,7 @@ struct TraceInputs {
   const scene::Environment* environment = nullptr;
   trace::TraceSettings settings;
   bool keep_images = false;
+  bool keep_provenance = false;
   graph::Handle<SpecularSamples> specular;
   graph::Handle<SampleMask> mask;  // may be absent: every sample is traced
   graph::Handle<PlacedScene> scene;

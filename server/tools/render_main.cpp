@@ -90,6 +90,7 @@ void run(const Options& options) {
   std::vector<frame::FrameOutput> frames;
   for (int i = 0; i < options.repeat; ++i) {
     const bool last = i + 1 == options.repeat;
+    view.options.keep_provenance = last && options.json;
     frames.push_back(
         renderer.render(view, input.frame, last && !options.dump.empty() ? &buffers : nullptr));
     if (!last) frames.back().pixels = {};

@@ -14,6 +14,17 @@ double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
 }
 
+// Pixels' shares, summed by source.
+nlohmann::ordered_json provenance_sums(const core::ProvenanceImage& provenance) {
+  std::array<double, core::kLightSources> sums{};
+  for (const core::Provenance& shares : provenance.pixels()) {
+    for (std::size_t k = 0; k < core::kLightSources; ++k) sums[k] += static_cast<double>(shares[k]);
+  }
+  nlohmann::ordered_json json;
+  for (std::size_t k = 0; k < core::kLightSources; ++k) json[core::kLightSourceNames[k]] = sums[k];
+  return json;
+}
+
 }  // namespace
 
 void print_json(std::ostream& out, const std::vector<frame::FrameOutput>& frames) {
@@ -43,10 +54,7 @@ void print_json(std::ostream& out, const std::vector<frame::FrameOutput>& frames
                     {"specular", last.pixels.specular},
                     {"refined", last.pixels.refined},
                     {"total", last.pixels.total}};
-  json["provenance"] = nlohmann::ordered_json::object();
-  for (std::size_t k = 0; k < core::kLightSources; ++k) {
-    json["provenance"][core::kLightSourceNames[k]] = last.provenance[k];
-  }
+  json["provenance"] = provenance_sums(frames.back().provenance.value_or(core::ProvenanceImage{}));
   json["nonfinite"] = last.nonfinite;
   json["exposure"] = last.exposure;
   json["unchanged"] = frames.back().unchanged;

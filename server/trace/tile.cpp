@@ -146,7 +146,8 @@ void Tile::shade_hits() {
     } else {
       const bool primary = item.kind == RayKind::Primary;
       if (primary) sees_real_diffuse_[item.sample] = point.role == scene::Role::Real;
-      diffuse_.push_back({point, -item.ray.direction, weight, item.sample, primary});
+      diffuse_.push_back({point, -item.ray.direction, weight, item.sample,
+                          primary ? RealColor::UnderPixel : RealColor::LookedUp});
     }
   }
 }
@@ -214,8 +215,8 @@ void Tile::scatter(const RayItem& item, const SurfacePoint& point, const glm::ve
 void Tile::scatter_back(const RayItem& item, const SurfacePoint& point, const glm::vec3& weight) {
   const float share = 1.0f - point.transmission;
   if (!(share > 0.0f)) return;
-  constexpr bool kSeenDirectly = true;
-  diffuse_.push_back({point, -item.ray.direction, share * weight, item.sample, kSeenDirectly});
+  diffuse_.push_back(
+      {point, -item.ray.direction, share * weight, item.sample, RealColor::Modelled});
 }
 
 // Masked-out texels are not there. No surface was met, so the depth stays; each step moves on along
@@ -312,21 +313,21 @@ void Tile::add_diffuse() {
 void Tile::add_real_surface(const DiffuseItem& item, const DiffuseRadiance& radiance) {
   SampleResult& sample = samples_[item.sample];
   glm::vec3 mixed = radiance.mixed, real = radiance.real;
-  float trust = 0.0f;
-  if (!item.primary && lookup_ != nullptr) {
+  float from_camera = item.real_color == RealColor::UnderPixel ? 1.0f : 0.0f;
+  if (item.real_color == RealColor::LookedUp && lookup_ != nullptr) {
     if (const auto seen = lookup_->look_up(request_.scene, item.point, counts_.rays.lookup)) {
       const glm::vec3 changed =
           glm::max(seen->radiance + (radiance.mixed - radiance.real), glm::vec3(0.0f));
-      trust = seen->trust;
-      mixed = glm::mix(radiance.mixed, changed, trust);
-      real = glm::mix(radiance.real, seen->radiance, trust);
+      from_camera = seen->trust;
+      mixed = glm::mix(radiance.mixed, changed, seen->trust);
+      real = glm::mix(radiance.real, seen->radiance, seen->trust);
     }
   }
   sample.mixed += item.weight * mixed;
   sample.real += item.weight * real;
   const float share = mean(item.weight);
-  add_share(sample.provenance, core::LightSource::CameraLookup, share * trust);
-  add_share(sample.provenance, core::LightSource::ModelledReal, share * (1.0f - trust));
+  add_share(sample.provenance, core::LightSource::CameraLookup, share * from_camera);
+  add_share(sample.provenance, core::LightSource::ModelledReal, share * (1.0f - from_camera));
 }
 
 }  // namespace amalgam::trace

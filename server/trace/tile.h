@@ -13,7 +13,6 @@ inline constexpr int kTileSide = 16;  // pixels
 // What a tile adds to the TraceResult of the same names.
 struct TileCounts {
   core::RayCounts rays;
-  std::array<double, core::kLightSources> provenance{};
   std::uint64_t nonfinite = 0, samples = 0, primary_virtual = 0, primary_specular = 0;
 };
 

@@ -36,10 +36,8 @@ void Tile::resolve(TraceResult& result) {
       result.layers.difference.at(place.pixel_x, place.pixel_y) +=
           share * (mixed - scene::tone_map(sample.real, request_.exposure));
     }
-    for (std::size_t k = 0; k < core::kLightSources; ++k) {
-      const float part = share * sample.provenance[k];
-      counts_.provenance[k] += part;
-      if (result.images) result.images->provenance.at(place.pixel_x, place.pixel_y)[k] += part;
+    for (std::size_t k = 0; result.provenance && k < core::kLightSources; ++k) {
+      result.provenance->at(place.pixel_x, place.pixel_y)[k] += share * sample.provenance[k];
     }
     if (result.images && place.first_of_pixel) {
       result.images->mixed.at(place.pixel_x, place.pixel_y) = sample.mixed;
@@ -60,9 +58,9 @@ TraceResult trace(const TraceRequest& request) {
   if (request.keep_images) {
     result.images =
         TracedImages{core::ImageRgb32f(width, height), core::ImageRgba32f(width, height),
-                     core::ImageRgb32f(width, height), core::Image<core::Provenance>(width, height),
-                     core::Image<std::uint8_t>(width, height)};
+                     core::ImageRgb32f(width, height), core::Image<std::uint8_t>(width, height)};
   }
+  if (request.keep_provenance) result.provenance.emplace(width, height);
   std::optional<CameraLookup> lookup;
   if (request.lookup != nullptr) lookup.emplace(*request.lookup);
 
@@ -78,9 +76,6 @@ TraceResult trace(const TraceRequest& request) {
   });
   for (const TileCounts& tile : counts) {
     result.rays += tile.rays;
-    for (std::size_t k = 0; k < core::kLightSources; ++k) {
-      result.provenance[k] += tile.provenance[k];
-    }
     result.nonfinite += tile.nonfinite;
     result.traced_samples += tile.samples;
     result.primary_virtual += tile.primary_virtual;

@@ -45,6 +45,7 @@ struct TraceRequest {
   float exposure = 1.0f;
   TraceSettings settings;
   bool keep_images = false;
+  bool keep_provenance = false;
 };
 
 // The buffers of the thesis, from the first sample of each traced pixel; 0 elsewhere.
@@ -53,19 +54,18 @@ struct TracedImages {
   core::ImageRgba32f
       real;  // I_r, scene-linear; alpha 1 where the camera sees a real diffuse surface directly
   core::ImageRgb32f environment_reflection;  // I_e, display-linear
-  core::Image<core::Provenance> provenance;  // mean over the pixel's samples
   core::Image<std::uint8_t> met_virtual;     // M_v
 };
 
 struct TraceResult {
   core::Layers layers;  // traced samples' share of each pixel; the rest is the rasteriser's
   core::RayCounts rays;
-  std::array<double, core::kLightSources> provenance{};  // shares summed over pixels
-  std::uint64_t nonfinite = 0;                           // sample values replaced by 0
+  std::uint64_t nonfinite = 0;  // sample values replaced by 0
   std::uint64_t traced_samples = 0;
   std::uint64_t primary_virtual = 0,
                 primary_specular = 0;  // traced samples whose first surface is so
   std::optional<TracedImages> images;
+  std::optional<core::ProvenanceImage> provenance;  // of the traced samples
 };
 
 // Runs on the caller's TBB arena.

@@ -39,13 +39,21 @@ struct EscapedItem {
   std::uint32_t sample = 0;
 };
 
+// Which colour a real diffuse surface has.
+enum class RealColor : std::uint8_t {
+  LookedUp,    // that of the camera image, where the camera sees it
+  UnderPixel,  // seen directly: as it is modelled, and the composite puts the difference on the
+               // camera image
+  Modelled,    // the camera sees more there than this share of it
+};
+
 // A diffuse surface to be shaded: the only place that shadow rays start from.
 struct DiffuseItem {
   SurfacePoint point;
   glm::vec3 view{0.0f};  // unit, towards the ray's origin
   glm::vec3 weight{0.0f};
   std::uint32_t sample = 0;
-  bool primary = false;  // seen directly: no look-up, the camera image is under it anyway
+  RealColor real_color = RealColor::LookedUp;
 };
 
 struct ShadowItem {
