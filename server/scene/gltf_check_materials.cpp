@@ -60,9 +60,9 @@ void check_textures(const GltfCheckContext& context) {
     if (uri) check_image_uri(*uri);
     if (view) {
       if (!mime) image.fail("a bufferView without a mimeType");
-      if (context.views[context.resolve(*view, "bufferViews")].stride) {
-        view->fail("a view with byteStride cannot hold a picture");
-      }
+      const ViewFacts& bytes = context.views[context.resolve(*view, "bufferViews")];
+      if (bytes.stride) view->fail("a view with byteStride cannot hold a picture");
+      if (bytes.length == 0) view->fail("an empty view cannot hold a picture");
     }
   }
   for (const JsonCursor& sampler : context.all("samplers")) {

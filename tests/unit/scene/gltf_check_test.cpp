@@ -147,5 +147,18 @@ TEST(GltfCheck, HarmlessBreachesAreNoted) {
   EXPECT_THAT(scene.notes, testing::Contains(HasSubstr("not declared")));
 }
 
+TEST(GltfCheck, EmptyViewsAreNotedUnlessSomethingReadsThem) {
+  const std::string unread =
+      replaced(sample_gltf(), R"("byteOffset": 96, "byteLength": 8})",
+               R"("byteOffset": 96, "byteLength": 8}, {"buffer": 0, "byteLength": 0})");
+  EXPECT_THAT(load_text(unread).notes, testing::Contains(HasSubstr("bufferViews[4]: is empty")));
+  EXPECT_THAT(refusal_of(replaced(unread, R"("bufferView": 3)", R"("bufferView": 4)")),
+              HasSubstr("reaches beyond"));
+  EXPECT_THAT(
+      refusal_of(replaced(unread, R"("scene": 0)",
+                          R"("scene": 0, "images": [{"bufferView": 4, "mimeType": "image/png"}])")),
+      HasSubstr("images[0].bufferView: an empty view"));
+}
+
 }  // namespace
 }  // namespace amalgam::scene
