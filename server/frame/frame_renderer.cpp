@@ -3,12 +3,14 @@
 #include <tbb/task_arena.h>
 
 #include <cmath>
+#include <stdexcept>
 #include <thread>
 
 #include "frame/collect_buffers.h"
 #include "frame/frame_passes.h"
 #include "frame/frame_provenance.h"
 #include "frame/scene_variant.h"
+#include "gl/shader_interface.h"
 #include "scene/anchored_scene.h"
 #include "scene/env_lights.h"
 #include "scene/features.h"
@@ -62,6 +64,17 @@ FrameStatistics collect_statistics(const graph::FrameGraph& graph, const FramePa
   return statistics;
 }
 
+// A rasterised frame has room for so many lights; an environment may come later.
+void check_light_count(const scene::Scene& scene, const scene::EnvLightOptions& options) {
+  const int environment = scene::most_lights(options);
+  const std::size_t punctual = scene.punctual_lights.size();
+  if (static_cast<std::size_t>(environment) + punctual <= gl::kMaxLights) return;
+  throw std::invalid_argument(
+      "up to " + std::to_string(environment) + " lights of the environment and " +
+      std::to_string(punctual) + " of the scene, but rasterising takes " +
+      std::to_string(gl::kMaxLights) + "; tracing every pixel (raytrace) takes more");
+}
+
 }  // namespace
 
 class FrameRenderer::Impl {
@@ -78,7 +91,9 @@ class FrameRenderer::Impl {
         settings.trace_shadow_edges) {
       embree_.emplace(scene_);
     }
-    if (!traces_all) raster_.emplace(scene_);
+    if (traces_all) return;
+    check_light_count(scene_, settings.env_lights);
+    raster_.emplace(scene_);
   }
 
   FrameOutput render(ViewState& view, const FrameInput& input, FrameBuffers* buffers) {

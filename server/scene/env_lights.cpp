@@ -11,6 +11,8 @@
 namespace amalgam::scene {
 namespace {
 
+constexpr int kOctants = 8;
+
 constexpr double kPi = std::numbers::pi;
 
 double luminance(const glm::dvec3& rgb) {  // Rec. 709
@@ -146,6 +148,10 @@ std::string to_string(const EnvLightOptions& options) {
   return "median-cut:" + std::to_string(options.median_cut);
 }
 
+int most_lights(const EnvLightOptions& options) {
+  return options.method == EnvLightOptions::Method::Sectors ? kOctants : options.median_cut;
+}
+
 std::vector<Light> median_cut(const Environment& environment, int count) {
   std::vector<Light> lights;
   if (environment.radiance.empty()) return lights;
@@ -180,7 +186,7 @@ std::vector<Light> bin_into_octants(std::span<const Light> lights) {
   struct Sector {
     glm::dvec3 position{0.0}, color{0.0};
   };
-  std::array<Sector, 8> sectors;
+  std::array<Sector, kOctants> sectors;
   double total = 0.0;
   for (const Light& light : lights) {
     const glm::vec3& d = light.to_light;

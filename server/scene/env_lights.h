@@ -31,6 +31,9 @@ constexpr int kMaxEnvLights = 4096;
 EnvLightOptions parse_env_light_options(std::string_view text);
 std::string to_string(const EnvLightOptions& options);
 
+// The number of lights that extract_lights() gives at most.
+int most_lights(const EnvLightOptions& options);
+
 // Directional lights whose intensities (radiance x solid angle) sum to the map's whole energy,
 // apart from sectors dropped for having less than 1e-6 of it. Brightest first. A low-dynamic-range
 // map's display-linear values count as radiance. A black or empty map gives no lights.

@@ -254,6 +254,21 @@ TEST(FrameRenderer, LightsFollowTheEnvironmentAndOnlyIt) {
             "the environment has not changed");
 }
 
+// Said at the start and not at each frame.
+TEST(FrameRenderer, MoreLightsThanRasterisingTakesAreRefusedAtOnce) {
+  RendererSettings settings;
+  settings.env_lights = scene::parse_env_light_options("median-cut:513");
+  EXPECT_THROW(FrameRenderer(table(), settings), std::invalid_argument);
+  settings.mode = RendererMode::Raytrace;
+  EXPECT_NO_THROW(FrameRenderer(table(), settings));
+  settings.mode = RendererMode::Hybrid;
+  settings.env_lights = scene::parse_env_light_options("median-cut:512");
+  scene::Scene scene = table();
+  EXPECT_NO_THROW(FrameRenderer(scene, settings));
+  scene.punctual_lights.emplace_back();
+  EXPECT_THROW(FrameRenderer(scene, settings), std::invalid_argument);
+}
+
 TEST(FrameRenderer, BuffersAreThoseOfTheThesis) {
   scene::Scene scene = table();
   add_box(scene, test_support::make_mirror());
