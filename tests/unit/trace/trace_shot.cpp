@@ -16,6 +16,7 @@ scene::Environment constant_environment(float radiance, bool low_dynamic_range) 
 
 scene::Material emitter(float radiance) {
   scene::Material material = test_support::make_diffuse(glm::vec3(0.0f));
+  material.metallic = 1.0f;  // a black dielectric would still shine a little
   material.emission = glm::vec3(radiance);
   return material;
 }
