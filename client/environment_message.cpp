@@ -8,6 +8,7 @@
 
 #include "client/fisheye_file.h"
 #include "client/jpeg_bytes.h"
+#include "protocol/geometry.h"
 #include "protocol/limits.h"
 
 namespace amalgam::client {
@@ -34,22 +35,6 @@ cv::Mat fit_into_limits(const cv::Mat& image) {
   return smaller;
 }
 
-void fill_fisheye(const FisheyeCalibration& calibration, protocol::Fisheye& out) {
-  const core::FisheyeModel& lens = calibration.lens;
-  out.set_width(static_cast<std::uint32_t>(lens.width));
-  out.set_height(static_cast<std::uint32_t>(lens.height));
-  out.set_fx(lens.fx);
-  out.set_fy(lens.fy);
-  out.set_cx(lens.cx);
-  out.set_cy(lens.cy);
-  out.set_max_angle(lens.max_angle);
-  protocol::Quaternion& rotation = *out.mutable_world_from_fisheye();
-  rotation.set_x(calibration.world_from_fisheye.x);
-  rotation.set_y(calibration.world_from_fisheye.y);
-  rotation.set_z(calibration.world_from_fisheye.z);
-  rotation.set_w(calibration.world_from_fisheye.w);
-}
-
 }  // namespace
 
 protocol::Envelope load_environment(const std::filesystem::path& image,
@@ -68,7 +53,10 @@ protocol::Envelope load_environment(const std::filesystem::path& image,
   protocol::Environment& environment = *envelope.mutable_environment();
   environment.set_image(jpeg.data(), jpeg.size());
   if (!fisheye.empty()) {
-    fill_fisheye(load_fisheye(fisheye, sent.cols, sent.rows), *environment.mutable_fisheye());
+    const FisheyeCalibration calibration = load_fisheye(fisheye, sent.cols, sent.rows);
+    *environment.mutable_fisheye() = protocol::to_message(calibration.lens);
+    *environment.mutable_fisheye()->mutable_world_from_fisheye() =
+        protocol::to_message(calibration.world_from_fisheye);
   }
   return envelope;
 }

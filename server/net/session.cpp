@@ -9,6 +9,7 @@
 #include "core/log.h"
 #include "net/tcp_options.h"
 #include "net/wire.h"
+#include "protocol/geometry.h"
 #include "protocol/limits.h"
 
 namespace amalgam::net {
@@ -223,7 +224,8 @@ void Session::send_composite(const FrameLedger::Entry& frame, const frame::Frame
   composite.set_frame_id(frame.frame_id);
   composite.set_capture_time_us(frame.capture_time_us);
   composite.set_server_ms(server_time.count());
-  for (const core::MarkerPose& pose : frame.poses) *composite.add_poses() = pose_to_wire(pose);
+  for (const core::MarkerPose& pose : frame.poses)
+    *composite.add_poses() = protocol::to_message(pose);
   if (slot_.put_composite(std::move(composite))) ledger_.skip(Skip::ReplacedBeforeWrite);
   write();
 }

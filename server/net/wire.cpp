@@ -4,6 +4,7 @@
 #include <string>
 
 #include "net/token.h"
+#include "protocol/geometry.h"
 #include "protocol/limits.h"
 
 namespace amalgam::net {
@@ -26,15 +27,7 @@ core::CameraModel camera_from(const protocol::Camera& wire) {
     throw ClientError(Error::BAD_HELLO, std::to_string(wire.distortion_size()) +
                                             " distortion coefficients; at most 12 are accepted");
   }
-  core::CameraModel camera;
-  camera.width = static_cast<int>(wire.width());
-  camera.height = static_cast<int>(wire.height());
-  camera.fx = wire.fx();
-  camera.fy = wire.fy();
-  camera.cx = wire.cx();
-  camera.cy = wire.cy();
-  std::copy(wire.distortion().begin(), wire.distortion().end(), camera.distortion.begin());
-  return camera;
+  return protocol::from_message(wire);
 }
 
 }  // namespace
@@ -70,10 +63,7 @@ std::vector<core::MarkerPose> poses_from(const protocol::CameraFrame& frame) {
   std::vector<core::MarkerPose> poses;
   poses.reserve(static_cast<std::size_t>(frame.poses_size()));
   for (const protocol::Pose& wire : frame.poses()) {
-    const protocol::Quaternion& q = wire.rotation();
-    const protocol::Vector3& t = wire.translation();
-    poses.push_back(
-        {wire.marker(), glm::dquat(q.w(), q.x(), q.y(), q.z()), glm::dvec3(t.x(), t.y(), t.z())});
+    poses.push_back(protocol::from_message(wire));
   }
   return poses;
 }
@@ -87,18 +77,11 @@ frame::EnvironmentInput environment_from(const protocol::Environment& environmen
     const protocol::Fisheye& wire = environment.fisheye();
     check_size(wire.width(), wire.height(), Error::BAD_ENVIRONMENT);
     input.projection = frame::EnvironmentInput::Projection::Fisheye;
-    input.fisheye = {.width = static_cast<int>(wire.width()),
-                     .height = static_cast<int>(wire.height()),
-                     .fx = wire.fx(),
-                     .fy = wire.fy(),
-                     .cx = wire.cx(),
-                     .cy = wire.cy(),
-                     .max_angle = wire.max_angle()};
+    input.fisheye = protocol::from_message(wire);
     const std::string defect = core::describe_defect(input.fisheye);
     if (!defect.empty()) throw ClientError(Error::BAD_ENVIRONMENT, "fish-eye lens: " + defect);
     core::MarkerPose turn;  // a rotation is judged as that of a pose
-    const protocol::Quaternion& q = wire.world_from_fisheye();
-    turn.rotation = glm::dquat(q.w(), q.x(), q.y(), q.z());
+    turn.rotation = protocol::from_message(wire.world_from_fisheye());
     if (!core::is_usable(turn)) {
       throw ClientError(Error::BAD_ENVIRONMENT,
                         "fish-eye lens: its rotation is not of unit length");
@@ -194,21 +177,6 @@ protocol::Composite composite_from(const frame::FrameOutput& output) {
   pixels.set_total(statistics.pixels.total);
   composite.set_nonfinite(statistics.nonfinite);
   return composite;
-}
-
-protocol::Pose pose_to_wire(const core::MarkerPose& pose) {
-  protocol::Pose wire;
-  wire.set_marker(pose.marker);
-  protocol::Quaternion& q = *wire.mutable_rotation();
-  q.set_x(pose.rotation.x);
-  q.set_y(pose.rotation.y);
-  q.set_z(pose.rotation.z);
-  q.set_w(pose.rotation.w);
-  protocol::Vector3& t = *wire.mutable_translation();
-  t.set_x(pose.translation.x);
-  t.set_y(pose.translation.y);
-  t.set_z(pose.translation.z);
-  return wire;
 }
 
 }  // namespace amalgam::net

@@ -46,6 +46,4 @@ ClientError poses_rejected(const std::vector<int>& markers, std::uint64_t frame_
 // All but what the session knows: ids, times, poses and skipped frames.
 protocol::Composite composite_from(const frame::FrameOutput& output);
 
-protocol::Pose pose_to_wire(const core::MarkerPose& pose);
-
 }  // namespace amalgam::net

@@ -62,21 +62,6 @@ TEST(Wire, CamerasThatCannotBeRenderedWithAreRefused) {
   }
 }
 
-TEST(Wire, PosesKeepTheirOrderOfComponents) {
-  protocol::CameraFrame frame;
-  core::MarkerPose pose;
-  pose.marker = 7;
-  pose.rotation = glm::dquat(0.5, 0.1, 0.2, 0.3);  // w first
-  pose.translation = {1, 2, 3};
-  *frame.add_poses() = pose_to_wire(pose);
-  EXPECT_EQ(frame.poses(0).rotation().w(), 0.5);
-  EXPECT_EQ(frame.poses(0).rotation().x(), 0.1);
-  const auto back = poses_from(frame);
-  ASSERT_EQ(back.size(), 1u);
-  EXPECT_EQ(back[0].rotation, pose.rotation);
-  EXPECT_EQ(back[0].translation, pose.translation);
-}
-
 protocol::Environment fisheye_environment() {
   protocol::Environment environment;
   environment.set_image("jpeg");
