@@ -44,6 +44,24 @@ TEST(Tracer, GlassAbsorbsByBeerLambert) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(seen[c], std::exp(-0.2f * absorption[c]), 1e-4f);
 }
 
+// A texel that is not there divides no path: what the glass absorbs before and behind it counts
+// once.
+TEST(Tracer, MaskedSurfacesInGlassDoNotChangeWhatItAbsorbs) {
+  scene::Scene scene;
+  add_object(scene, test_support::make_box({-1, -1, 0}, {1, 1, 0.2f}),
+             test_support::make_glass(1.0f + 1e-6f, glm::vec3(5.0f)), scene::Role::Virtual);
+  add_object(scene, test_support::make_quad({0, 0, -0.5f}, {3, 0, 0}, {0, 3, 0}), emitter(1.0f),
+             scene::Role::Virtual);
+  scene::Material gauze = emitter(9.0f);
+  gauze.base_color.a = 0.0f;
+  gauze.alpha_cutoff = 0.5f;
+  for (const float z : {0.05f, 0.15f}) {
+    add_object(scene, test_support::make_quad({0, 0, z}, {1, 0, 0}, {0, 1, 0}), gauze,
+               scene::Role::Virtual);
+  }
+  EXPECT_NEAR(centre(trace_shot(scene, {})).x, std::exp(-1.0f), 1e-4f);
+}
+
 // numerics B7: facing mirrors of reflectance r that see a lamp of radiance e through ... each
 // other: the series stops at the depth limit.
 TEST(Tracer, FacingMirrorsFollowTheGeometricSeries) {
