@@ -110,6 +110,7 @@ void Tile::intersect_rays() {
     }
     hits_.push_back(request_.scene.intersect(item.ray, Visible::Everything));
     if (hits_.back()) {
+      hits_.back()->t += glm::distance(item.start, item.ray.origin);
       hits_.back() = hit_on_line(request_.scene, *hits_.back(), item.start, item.ray.direction);
     }
   }
@@ -131,13 +132,13 @@ void Tile::shade_hits() {
     const SurfacePoint point =
         surface_point(request_.scene, *hits_[i], item.ray.direction, cone_width);
     const scene::Material& material = request_.scene.scene().materials[point.material];
+    if (material.alpha_cutoff && point.base_color.w < *material.alpha_cutoff) {
+      pass_straight(item, point);
+      continue;
+    }
     glm::vec3 weight = item.weight;
     if (const auto medium = item.media.innermost()) {  // Beer-Lambert on the way here
       weight *= glm::exp(-request_.scene.scene().materials[*medium].absorption * hits_[i]->t);
-    }
-    if (material.alpha_cutoff && point.base_color.w < *material.alpha_cutoff) {
-      pass_straight(item, point, weight);
-      continue;
     }
     if (item.kind == RayKind::Primary) count_primary(point, material);
     if (point.role == scene::Role::Virtual) samples_[item.sample].met_virtual = true;
@@ -219,13 +220,11 @@ void Tile::scatter_back(const RayItem& item, const SurfacePoint& point, const gl
       {point, -item.ray.direction, share * weight, item.sample, RealColor::Modelled});
 }
 
-// Masked-out texels are not there. No surface was met, so the depth stays; each step moves on along
-// the ray, so this ends.
-void Tile::pass_straight(const RayItem& item, const SurfacePoint& point, const glm::vec3& weight) {
+// Masked-out texels are not there. No surface was met, so the line goes on from where it started,
+// with its depth and weight; each step moves on along it, so this ends.
+void Tile::pass_straight(const RayItem& item, const SurfacePoint& point) {
   RayItem next = item;
   next.ray.origin = point.ray_origin(item.ray.direction);
-  next.path_length += glm::distance(next.ray.origin, item.ray.origin);
-  next.weight = weight;
   waiting_.push_back(next);
 }
 
@@ -244,7 +243,7 @@ void Tile::spawn(const RayItem& parent, const SurfacePoint& point, const glm::ve
   child.start = point.position;
   child.weight = weight;
   child.media = media;
-  child.path_length = parent.path_length + glm::distance(point.position, parent.ray.origin);
+  child.path_length = parent.path_length + glm::distance(point.position, parent.start);
   child.sample = parent.sample;
   child.depth = static_cast<std::uint16_t>(parent.depth + 1);
   child.kind = kind;
