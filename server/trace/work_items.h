@@ -21,11 +21,12 @@ enum class RayKind : std::uint8_t { Primary, Reflection, Refraction };
 // A ray on its way, with its share of the sample (Listing 4.1's payload, for work lists).
 struct RayItem {
   Ray ray;
-  glm::vec3 start{0.0f};  // where it really begins: on the surface; ray.origin lies a little off it
+  glm::vec3 start{0.0f};  // where the line begins: on the surface; ray.origin lies a little off it,
+                          // or behind what the line passed because it is masked out
   glm::vec3 weight{
       1.0f};    // product of the k_s and k_t so far; its largest channel is the importance
   Media media;  // the dielectrics that the ray is inside of
-  float path_length = 0.0f;  // metres from the camera to ray.origin: how wide the ray's cone is
+  float path_length = 0.0f;  // metres from the camera to start: how wide the ray's cone is
   std::uint32_t sample = 0;
   std::uint16_t depth = 0;  // specular surfaces met so far
   RayKind kind = RayKind::Primary;
