@@ -24,6 +24,22 @@ float border_trust(const core::CameraModel& camera, const glm::dvec2& pixel) {
   return static_cast<float>(x * x * (3.0 - 2.0 * x));
 }
 
+// Whether a real surface lies on the segment. Masked-out texels are none.
+bool is_hidden(const EmbreeScene& scene, Ray segment) {
+  if (!scene.is_occluded(segment, Visible::Real)) return false;  // the common case
+  while (segment.t_max > 0.0f) {
+    const auto hit = scene.intersect(segment, Visible::Real);
+    if (!hit) return false;
+    const SurfacePoint point = surface_point(scene, *hit, segment.direction);
+    const auto& cutoff = scene.scene().materials[point.material].alpha_cutoff;
+    if (!cutoff || point.base_color.w >= *cutoff) return true;
+    const glm::vec3 behind = point.ray_origin_on_line(segment.direction);
+    segment.t_max -= glm::distance(behind, segment.origin);
+    segment.origin = behind;
+  }
+  return false;
+}
+
 }  // namespace
 
 CameraLookup::CameraLookup(const CameraView& view)
@@ -48,7 +64,7 @@ std::optional<CameraSample> CameraLookup::look_up(const EmbreeScene& scene,
     const glm::vec3 direction = glm::normalize(to_camera);
     const glm::vec3 origin = point.ray_origin_on_line(direction);
     const float distance = glm::distance(camera_in_world_, origin);
-    if (scene.is_occluded({origin, direction, distance}, Visible::Real)) return std::nullopt;
+    if (is_hidden(scene, {origin, direction, distance})) return std::nullopt;
   }
   return CameraSample{scene::inverse_tone_map(bilinear(*pixel), view_.exposure), trust};
 }

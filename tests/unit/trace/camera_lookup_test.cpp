@@ -82,6 +82,22 @@ TEST_F(CameraLookupTest, WhatIsHiddenByARealObjectIsNotFound) {
   EXPECT_TRUE(look_up({0.4f, 0, 0}, kTowards));
 }
 
+// Two layers of gauze, of which nothing is there; then a solid one behind them.
+TEST_F(CameraLookupTest, MaskedOutTexelsHideNothing) {
+  scene::Material gauze = test_support::make_diffuse(glm::vec3(0.5f));
+  gauze.base_color.a = 0.25f;
+  gauze.alpha_cutoff = 0.5f;
+  for (const float z : {0.5f, 1.0f}) {
+    add_object(scene_, test_support::make_quad({0, 0, z}, {0.1f, 0, 0}, {0, 0.1f, 0}), gauze,
+               scene::Role::Real);
+  }
+  EXPECT_TRUE(look_up({0.01f, 0.02f, 0}, kTowards));
+  gauze.base_color.a = 0.75f;
+  add_object(scene_, test_support::make_quad({0, 0, 1.5f}, {0.1f, 0, 0}, {0, 0.1f, 0}), gauze,
+             scene::Role::Real);
+  EXPECT_FALSE(look_up({0.01f, 0.02f, 0}, kTowards));
+}
+
 TEST_F(CameraLookupTest, AVirtualObjectHidesNothingFromTheCamera) {
   add_object(scene_, test_support::make_quad({0, 0, 1}, {0.1f, 0, 0}, {0, 0.1f, 0}),
              test_support::make_diffuse(glm::vec3(0.5f)), scene::Role::Virtual);
