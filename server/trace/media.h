@@ -24,8 +24,8 @@ class Media {
     return next;
   }
 
-  // Leaves the innermost medium of that material. Leaving what was never entered (an open mesh, a
-  // camera inside glass) changes nothing.
+  // Leaves the innermost medium of that material. Leaving what was never entered (an open mesh)
+  // changes nothing.
   Media left(std::uint32_t material) const {
     Media next = *this;
     for (std::size_t i = next.count_; i-- > 0;) {

@@ -32,8 +32,9 @@ double sample_spread(const TraceRequest& request) {
 
 }  // namespace
 
-Tile::Tile(const TraceRequest& request, const CameraLookup* lookup, int x, int y)
-    : request_(request), lookup_(lookup), x_(x), y_(y) {}
+Tile::Tile(const TraceRequest& request, const CameraLookup* lookup, const Media& camera_media,
+           int x, int y)
+    : request_(request), lookup_(lookup), camera_media_(camera_media), x_(x), y_(y) {}
 
 void Tile::trace() {
   generate_primary_rays();
@@ -72,6 +73,7 @@ void Tile::generate_primary_rays() {
         RayItem item;
         item.ray = {origin, glm::vec3(direction), kInfinity};
         item.start = origin;
+        item.media = camera_media_;
         item.sample = static_cast<std::uint32_t>(samples_.size());
         waiting_.push_back(item);
         samples_.emplace_back();
@@ -147,7 +149,9 @@ void Tile::shade_hits() {
     } else {
       const bool primary = item.kind == RayKind::Primary;
       if (primary) sees_real_diffuse_[item.sample] = point.role == scene::Role::Real;
-      diffuse_.push_back({point, -item.ray.direction, weight, item.sample,
+      // Seen directly it is as the rasteriser draws it, which knows no media.
+      const glm::vec3& arriving = primary ? item.weight : weight;
+      diffuse_.push_back({point, -item.ray.direction, arriving, item.sample,
                           primary ? RealColor::UnderPixel : RealColor::LookedUp});
     }
   }
@@ -193,8 +197,8 @@ void Tile::scatter(const RayItem& item, const SurfacePoint& point, const glm::ve
   };
   const Media beyond =
       point.front ? item.media.entered(point.material) : item.media.left(point.material);
-  // A ray that meets the inner side without having entered (an open mesh, a camera in glass) comes
-  // out of the glass all the same.
+  // A ray that meets the inner side without having entered (an open mesh) comes out of the glass
+  // all the same.
   const double eta_here =
       !point.front && !item.media.innermost() ? material.ior : ior_of(item.media);
   const double eta_beyond = ior_of(beyond);

@@ -19,7 +19,9 @@ struct TileCounts {
 class Tile {
  public:
   // The pixels [x, x + side) x [y, y + side) of the request's camera that lie inside it.
-  Tile(const TraceRequest& request, const CameraLookup* lookup, int x, int y);
+  // camera_media: what the camera stands in.
+  Tile(const TraceRequest& request, const CameraLookup* lookup, const Media& camera_media, int x,
+       int y);
 
   // The whole way of the tile's samples, as a list of verbs.
   void trace();
@@ -54,6 +56,7 @@ class Tile {
 
   const TraceRequest& request_;
   const CameraLookup* lookup_;
+  Media camera_media_;
   int x_, y_;
 
   std::vector<SamplePlace> places_;

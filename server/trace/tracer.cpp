@@ -5,7 +5,9 @@
 #include <cmath>
 #include <vector>
 
+#include "core/pose.h"
 #include "scene/tone_map.h"
+#include "trace/media_at.h"
 #include "trace/tile.h"
 
 namespace amalgam::trace {
@@ -63,13 +65,16 @@ TraceResult trace(const TraceRequest& request) {
   if (request.keep_provenance) result.provenance.emplace(width, height);
   std::optional<CameraLookup> lookup;
   if (request.lookup != nullptr) lookup.emplace(*request.lookup);
+  const Media camera_media =
+      media_at(request.scene, glm::vec3(core::rigid_inverse(request.camera_from_world)[3]));
 
   const int across = (width + kTileSide - 1) / kTileSide,
             down = (height + kTileSide - 1) / kTileSide;
   std::vector<TileCounts> counts(static_cast<std::size_t>(across) * static_cast<std::size_t>(down));
   tbb::parallel_for(std::size_t{0}, counts.size(), [&](std::size_t index) {
     const int tile_x = static_cast<int>(index) % across, tile_y = static_cast<int>(index) / across;
-    Tile tile(request, lookup ? &*lookup : nullptr, tile_x * kTileSide, tile_y * kTileSide);
+    Tile tile(request, lookup ? &*lookup : nullptr, camera_media, tile_x * kTileSide,
+              tile_y * kTileSide);
     tile.trace();
     tile.resolve(result);
     counts[index] = tile.counts();
