@@ -38,11 +38,15 @@ core::MarkerPose make_pose(int marker) {
 
 }  // namespace
 
+std::string scene_path(const std::string& scene_name) {
+  return std::string(AMALGAM_SOURCE_DIR) + "/deploy/scenes/" + scene_name + ".gltf";
+}
+
 ParityCase make_parity_case(const std::string& scene_name, int width, int height) {
   ParityCase result;
-  result.name = scene_name + " " + std::to_string(width) + "x" + std::to_string(height);
-  result.scene =
-      scene::load_scene(std::string(AMALGAM_SOURCE_DIR) + "/deploy/scenes/" + scene_name + ".gltf");
+  result.name = scene_name.substr(scene_name.rfind('/') + 1) + " " + std::to_string(width) + "x" +
+                std::to_string(height);
+  result.scene = scene::load_scene(scene_path(scene_name));
   result.camera = test_support::make_pinhole(width, height, 1.1 * width);
   place_camera(result);
   return result;
@@ -68,6 +72,7 @@ const reference::ReferenceImages& reference_images(const ParityCase& parity_case
                         request.anchored.punctual_lights.end());
   request.camera_image = &parity_case.camera_image;
   request.exposure = static_cast<double>(parity_case.exposure);
+  request.settings.max_depth = parity_case.max_depth;
   request.settings.importance_cutoff = static_cast<double>(0.004f);
   request.samples_per_side = parity_case.samples_per_side;
   if (parity_case.exact_fresnel) request.settings.fresnel = reference::Fresnel::Exact;

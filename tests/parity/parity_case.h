@@ -23,7 +23,11 @@ struct ParityCase {
   float exposure = 1.0f;
   int samples_per_side = 1;
   bool exact_fresnel = false;
+  int max_depth = 10;
 };
+
+// Of deploy/scenes.
+std::string scene_path(const std::string& scene_name);
 
 // A scene of deploy/scenes. The image is gradients and soft stripes by formula; the world marker
 // is seen from above at a slant, as by somebody at a desk.

@@ -6,6 +6,7 @@
 #include <limits>
 #include <sstream>
 
+#include "parity/rendering.h"
 #include "support/compare_images.h"
 #include "support/reference/relative_error.h"
 
@@ -16,29 +17,6 @@ using reference::Color;
 using reference::Grazing;
 using reference::ReferenceImages;
 using reference::relative_error;
-
-struct Rendered {
-  frame::FrameBuffers buffers;
-  core::ImageRgb8 composite;
-};
-
-Rendered render(const ParityCase& parity_case, frame::RendererMode mode) {
-  frame::RendererSettings settings;
-  settings.trace_shadow_edges = true;  // shadow maps alone are exact to a texel
-  settings.mode = mode;
-  settings.exposure = parity_case.exposure;
-  settings.samples_per_pixel = parity_case.samples_per_side * parity_case.samples_per_side;
-  if (parity_case.exact_fresnel) settings.trace.fresnel = trace::FresnelModel::Exact;
-  frame::FrameRenderer renderer(parity_case.scene, settings);
-  frame::ViewOptions options;
-  options.camera = parity_case.camera;
-  options.keep_pixels = true;
-  frame::ViewState view(options);
-  Rendered result;
-  result.composite =
-      renderer.render(view, {parity_case.camera_image, parity_case.poses}, &result.buffers).pixels;
-  return result;
-}
 
 // One pixel of a buffer of one or three channels; a missing buffer is black.
 Color pixel_of(const frame::FrameBuffers& buffers, const std::string& name, int x, int y) {
@@ -100,6 +78,10 @@ void compare_traced(const frame::FrameBuffers& buffers, const ReferenceImages& e
       if (!is_traced(expected, mode, x, y)) continue;
       ++row.traced;
       const double error = traced_error(buffers, expected, x, y);
+      if (mode == frame::RendererMode::Hybrid && expected.rim.at(x, y) != 0) {
+        ++row.rim;
+        continue;
+      }
       const auto grazing = static_cast<Grazing>(expected.grazing.at(x, y));
       if (grazing != Grazing::No) {
         ++(grazing == Grazing::Edge ? row.edge : row.steep);
@@ -112,12 +94,17 @@ void compare_traced(const frame::FrameBuffers& buffers, const ReferenceImages& e
     }
   }
   row.traced_wrong = wrong.size();
-  row.traced_mean =
-      sum / static_cast<double>(std::max<std::size_t>(1, row.traced - row.edge - row.steep));
+  row.traced_mean = sum / static_cast<double>(std::max<std::size_t>(
+                              1, row.traced - row.edge - row.steep - row.rim));
   std::sort(wrong.begin(), wrong.end(),
             [](const WrongPixel& a, const WrongPixel& b) { return a.error > b.error; });
   wrong.resize(std::min<std::size_t>(wrong.size(), 10));
   row.worst = describe(wrong, buffers, expected);
+}
+
+int largest_step(const glm::ivec3& difference) {
+  const glm::ivec3 step = glm::abs(difference);
+  return std::max({step.r, step.g, step.b});
 }
 
 void compare_composites(const core::ImageRgb8& actual, const ReferenceImages& expected,
@@ -126,26 +113,40 @@ void compare_composites(const core::ImageRgb8& actual, const ReferenceImages& ex
                                                        test_support::as_floats(expected.composite));
   row.composite_mean = comparison.mean;
   row.composite_maximum = comparison.maximum;
+  const bool same_geometry = expected.grazing.size() == actual.size();
+  double sum = 0.0, sum_of_squares = 0.0;
+  std::size_t grazing_pixels = 0;
   for (int y = 0; y < actual.height(); ++y) {
     for (int x = 0; x < actual.width(); ++x) {
       const glm::ivec3 difference =
-          glm::abs(glm::ivec3(actual.at(x, y)) - glm::ivec3(expected.composite.at(x, y)));
-      if (std::max({difference.r, difference.g, difference.b}) <= 3) continue;
+          glm::ivec3(actual.at(x, y)) - glm::ivec3(expected.composite.at(x, y));
+      const bool grazing = same_geometry && expected.grazing.at(x, y) != 0;
+      if (grazing) {
+        const double mean = (difference.r + difference.g + difference.b) / 3.0;
+        sum += mean;
+        sum_of_squares += mean * mean;
+        ++grazing_pixels;
+      }
+      if (largest_step(difference) <= 3) continue;
       ++row.composite_wrong;
       row.composite_wrong_rasterised += is_traced(expected, mode, x, y) ? 0 : 1;
+      row.composite_wrong_grazing += grazing ? 1 : 0;
     }
   }
-}
-
-const char* mode_name(frame::RendererMode mode) {
-  return mode == frame::RendererMode::Hybrid ? "hybrid" : "raytrace";
+  if (grazing_pixels < 2) return;
+  const auto n = static_cast<double>(grazing_pixels);
+  row.grazing_bias = sum / n;
+  row.grazing_bias_error = std::sqrt((sum_of_squares - sum * sum / n) / (n - 1.0) / n);
 }
 
 }  // namespace
 
 ParityRow compare_with_reference(const ParityCase& parity_case, frame::RendererMode mode) {
   const ReferenceImages& expected = reference_images(parity_case);
-  Rendered actual = render(parity_case, mode);
+  frame::RendererSettings settings;
+  settings.mode = mode;
+  settings.trace_shadow_edges = true;
+  Rendering actual = render(parity_case, settings);
   ParityRow row;
   row.pixels = parity_case.camera_image.pixels().size();
   compare_traced(actual.buffers, expected, mode, row);
@@ -155,24 +156,29 @@ ParityRow compare_with_reference(const ParityCase& parity_case, frame::RendererM
 }
 
 std::string table_header() {
-  return "case                  renderer  traced   edge %  steep %  mean error  max error  wrong  "
-         "wrong+grazing | composite mean  max  within 3 %  off, rasterised\n";
+  return "case                            renderer  traced   edge %  steep %    rim %  mean error  "
+         "max error "
+         " "
+         "wrong  "
+         "wrong+grazing | composite mean  max  within 3 %  off, rasterised  bias of grazing\n";
 }
 
 std::string table_line(const ParityCase& parity_case, frame::RendererMode mode,
                        const ParityRow& row) {
   const double percent = 100.0 / static_cast<double>(row.pixels);
   std::ostringstream line;
-  line << std::left << std::setw(22) << parity_case.name << std::setw(8) << mode_name(mode)
+  line << std::left << std::setw(32) << parity_case.name << std::setw(8) << mode_name(mode)
        << std::right << std::fixed << std::setw(8) << row.traced << std::setprecision(3)
        << std::setw(9) << percent * static_cast<double>(row.edge) << std::setw(9)
-       << percent * static_cast<double>(row.steep) << std::scientific << std::setprecision(2)
+       << percent * static_cast<double>(row.steep) << std::setw(9)
+       << percent * static_cast<double>(row.rim) << std::scientific << std::setprecision(2)
        << std::setw(12) << row.traced_mean << std::setw(11) << row.traced_maximum << std::setw(7)
        << row.traced_wrong << std::setw(15) << row.traced_wrong_grazing << " | " << std::fixed
        << std::setprecision(4) << std::setw(14) << row.composite_mean << std::setprecision(0)
        << std::setw(5) << row.composite_maximum << std::setprecision(3) << std::setw(12)
        << 100.0 - percent * static_cast<double>(row.composite_wrong) << std::setw(17)
-       << row.composite_wrong_rasterised << '\n';
+       << row.composite_wrong_rasterised << std::setprecision(2) << std::setw(10)
+       << row.grazing_bias << " +- " << row.grazing_bias_error << '\n';
   return line.str();
 }
 

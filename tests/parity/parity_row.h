@@ -19,6 +19,7 @@ struct ParityRow {
   // Of those: left out of the comparison, see reference::Grazing.
   std::size_t edge = 0;
   std::size_t steep = 0;
+  std::size_t rim = 0;  // hybrid: whether the rasteriser leaves the pixel to the tracer is chance
   double traced_mean = 0.0;              // relative error, without grazing pixels
   double traced_maximum = 0.0;           // likewise
   std::size_t traced_wrong = 0;          // over tolerance, without grazing pixels
@@ -28,13 +29,18 @@ struct ParityRow {
   double composite_maximum = 0.0;
   std::size_t composite_wrong = 0;             // pixels off by more than 3
   std::size_t composite_wrong_rasterised = 0;  // of those: rasterised
+  std::size_t composite_wrong_grazing = 0;     // of those: grazing
+  // Actual minus expected over grazing pixels; 0 behind a lens, which mixes them with others.
+  double grazing_bias = 0.0;
+  double grazing_bias_error = 0.0;  // standard error of that mean
 
   // For a failing test: the worst pixels in words, and the picture.
   std::string worst;
   core::ImageRgb8 composite;
 };
 
-// mode: Hybrid (traced pixels are those of M_r) or Raytrace (all are).
+// mode: Hybrid (traced pixels are those of M_r) or Raytrace (all are). Hybrid traces the edges of
+// shadows: shadow maps alone are exact to a texel.
 ParityRow compare_with_reference(const ParityCase& parity_case, frame::RendererMode mode);
 
 std::string table_header();

@@ -1,10 +1,13 @@
 // The renderer held to the reference on the scenes that come with Amalgam.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <tuple>
 
 #include "parity/everything_case.h"
+#include "parity/materials_case.h"
 #include "parity/parity_row.h"
 #include "support/compare_images.h"
 
@@ -12,22 +15,25 @@ namespace amalgam::parity {
 namespace {
 
 // Shares of all pixels.
-struct TracedLimits {
-  double grazing = 0.0;  // where rays may fall on the other side of an edge in float
-  double wrong = 0.0;    // over tolerance without grazing anything
+struct Limits {
+  double grazing = 0.002;         // where rays may fall on the other side of an edge in float
+  double wrong = 0.0;             // traced, over tolerance without grazing anything
+  double composite_wrong = 1e-3;  // off by more than 3/255
 };
-constexpr TracedLimits kOurScenes = {.grazing = 0.002, .wrong = 0.0};
-// Glass in glass makes hundreds of branches a pixel, any of which may be the one at an edge or at
-// the cut-off.
-constexpr TracedLimits kEverything = {.grazing = 0.006, .wrong = 0.0};
-constexpr double kCompositeWrongShare = 1e-3;  // pixels off by more than 3/255
 const test_support::Tolerance kComposite = {
     3.0, 1.0, "1/255: rounding to bytes; one pixel in a thousand may lie on an edge"};
 
+// Ten times reflected in 69,666 facets a millimetre wide, light magnifies what float rounds by
+// dozens each time, total reflection loses nothing on the way, and a pixel takes any of the colours
+// around: half of the bunny's pixels graze something, at two surfaces a tenth, at one a fiftieth.
+// Pixel by pixel only the others can be held to the reference, the rest in the mean. The one wrong
+// pixel: a shadow ray closer to the silhouette than the stated resolution (ray_offset.h).
+constexpr Limits kGlassBunny = {.grazing = 0.03, .wrong = 1e-4, .composite_wrong = 0.008};
+
 using Parameters = std::tuple<const char*, int, frame::RendererMode>;
 
-void expect_parity(const ParityCase& parity_case, frame::RendererMode mode,
-                   const TracedLimits& limits, const std::string& file_name) {
+void expect_parity(const ParityCase& parity_case, frame::RendererMode mode, const Limits& limits,
+                   const std::string& file_name) {
   const ParityRow row = compare_with_reference(parity_case, mode);
   std::cout << table_header() << table_line(parity_case, mode, row);
 
@@ -36,10 +42,13 @@ void expect_parity(const ParityCase& parity_case, frame::RendererMode mode,
       << "beyond " << kTracedTolerance << ":" << row.worst;
   // Each sample of a pixel has its own chance to graze something.
   const int samples = parity_case.samples_per_side * parity_case.samples_per_side;
-  EXPECT_LE(static_cast<double>(row.edge + row.steep), limits.grazing * samples * pixels);
+  EXPECT_LE(static_cast<double>(row.edge + row.steep + row.rim), limits.grazing * samples * pixels);
+  // Half a step of 1/255 is what a few pixels may be off by chance.
+  EXPECT_LE(std::abs(row.grazing_bias), 3.0 * row.grazing_bias_error + 0.5);
   const bool composite_agrees =
       row.composite_mean <= kComposite.mean &&
-      static_cast<double>(row.composite_wrong) <= kCompositeWrongShare * pixels;
+      static_cast<double>(row.composite_wrong) <= limits.composite_wrong * pixels &&
+      static_cast<double>(row.composite_wrong - row.composite_wrong_grazing) <= 1e-3 * pixels;
   EXPECT_TRUE(composite_agrees) << test_support::check_images(
       file_name, test_support::as_floats(row.composite),
       test_support::as_floats(reference_images(parity_case).composite), kComposite,
@@ -60,7 +69,7 @@ class Parity : public testing::TestWithParam<Parameters> {};
 
 TEST_P(Parity, RendererAgreesWithReference) {
   const auto& [scene_name, width, mode] = GetParam();
-  expect_parity(make_parity_case(scene_name, width, width * 3 / 4), mode, kOurScenes,
+  expect_parity(make_parity_case(scene_name, width, width * 3 / 4), mode, {},
                 file_name(GetParam()));
 }
 
@@ -70,9 +79,61 @@ INSTANTIATE_TEST_SUITE_P(
                      testing::Values(frame::RendererMode::Raytrace, frame::RendererMode::Hybrid)),
     test_name);
 
-// Raytrace: rasterised shadows are another matter, and the scenes above show it.
+// Of 69,666 triangles, made from a Debian package when Amalgam is set up.
+class ParityOfBunnies : public testing::TestWithParam<Parameters> {};
+
+TEST_P(ParityOfBunnies, RendererAgreesWithReference) {
+  const auto& [material, width, mode] = GetParam();
+  const std::string scene_name = std::string("generated/bunny-") + material;
+  if (!std::filesystem::exists(scene_path(scene_name)))
+    GTEST_SKIP() << "there is no " << scene_path(scene_name) << ": deploy/fetch_assets.sh makes it";
+  ParityCase parity_case = make_parity_case(scene_name, width, width * 3 / 4);
+  expect_parity(parity_case, mode, std::string(material) == "glass" ? kGlassBunny : Limits{},
+                "bunny-" + file_name(GetParam()));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Bunnies, ParityOfBunnies,
+    testing::Combine(testing::Values("glass", "mirror"), testing::Values(160, 320),
+                     testing::Values(frame::RendererMode::Raytrace, frame::RendererMode::Hybrid)),
+    test_name);
+
+// With fewer reflections the glass one is no exception but for what is steep.
+TEST(ParityOfShallowBunnies, RendererAgreesWithReference) {
+  if (!std::filesystem::exists(scene_path("generated/bunny-glass")))
+    GTEST_SKIP() << "there is no glass bunny: deploy/fetch_assets.sh makes it";
+  for (const int depth : {1, 2}) {
+    ParityCase parity_case = make_parity_case("generated/bunny-glass", 160, 120);
+    parity_case.name += " depth " + std::to_string(depth);
+    parity_case.max_depth = depth;
+    Limits limits{.wrong = kGlassBunny.wrong};
+    if (depth == 2) limits.grazing = 0.005;
+    expect_parity(parity_case, frame::RendererMode::Raytrace, limits,
+                  "bunny-depth-" + std::to_string(depth));
+  }
+}
+
+// A made-up scene in both modes, at once: the reference's picture is the same.
+void expect_parity_in_both_modes(const ParityCase& parity_case, const Limits& limits,
+                                 const std::string& file_name) {
+  expect_parity(parity_case, frame::RendererMode::Raytrace, limits, file_name + "-raytrace");
+  expect_parity(parity_case, frame::RendererMode::Hybrid, limits, file_name + "-hybrid");
+}
+
 TEST(ParityOfEverything, OneSampleAPixel) {
-  expect_parity(make_everything_case(), frame::RendererMode::Raytrace, kEverything, "everything");
+  expect_parity_in_both_modes(make_everything_case(), {}, "everything");
+}
+
+TEST(ParityOfMaterials, OneSampleAPixel) {
+  expect_parity_in_both_modes(make_materials_case(), {}, "materials");
+}
+
+TEST(ParityOfMaterials, FourSamplesBehindALens) {
+  ParityCase parity_case = make_materials_case();
+  parity_case.name += " lens 2x2";
+  parity_case.camera.distortion = {-0.25, 0.08, 0.001, -0.0015, 0.01};
+  parity_case.samples_per_side = 2;
+  expect_parity_in_both_modes(parity_case, {}, "materials-lens");
 }
 
 TEST(ParityOfEverything, ExactFresnelAndFourSamples) {
@@ -80,14 +141,14 @@ TEST(ParityOfEverything, ExactFresnelAndFourSamples) {
   parity_case.name += " exact 2x2";
   parity_case.exact_fresnel = true;
   parity_case.samples_per_side = 2;
-  expect_parity(parity_case, frame::RendererMode::Raytrace, kEverything, "everything-exact");
+  expect_parity_in_both_modes(parity_case, {}, "everything-exact");
 }
 
 TEST(ParityOfEverything, BehindALens) {
   ParityCase parity_case = make_everything_case();
   parity_case.name += " lens";
   parity_case.camera.distortion = {-0.25, 0.08, 0.001, -0.0015, 0.01};
-  expect_parity(parity_case, frame::RendererMode::Raytrace, kEverything, "everything-lens");
+  expect_parity_in_both_modes(parity_case, {}, "everything-lens");
 }
 
 }  // namespace

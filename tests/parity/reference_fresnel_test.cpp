@@ -60,6 +60,14 @@ TEST(ReferenceFresnel, SchlicksGreatestError) {
   EXPECT_NEAR(at, 85.0, 0.2);
 }
 
+TEST(ReferenceFresnel, EqualMediaHaveNoInterface) {
+  for (const Fresnel model : {Fresnel::Schlick, Fresnel::Exact}) {
+    for (const double cosine : {1.0, 0.5, 0.01}) {
+      EXPECT_EQ(reflectance(model, kGlass, kGlass, cosine), 0.0);
+    }
+  }
+}
+
 TEST(ReferenceFresnel, CriticalAngle) {
   const double critical = std::asin(1.0 / kGlass);
   for (double away = 1e-1; away > 5e-8; away *= 0.1) {

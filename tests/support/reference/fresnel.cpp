@@ -35,6 +35,7 @@ double exact_reflectance(double n1, double n2, double cos_incident) {
 }
 
 double reflectance(Fresnel model, double n1, double n2, double cos_incident) {
+  if (n1 == n2) return 0.0;  // no interface, though Schlick's curve has a grazing end even there
   if (model == Fresnel::Exact) return exact_reflectance(n1, n2, cos_incident);
   const auto cos_transmitted = transmitted_cosine(n1, n2, cos_incident);
   if (!cos_transmitted) return 1.0;

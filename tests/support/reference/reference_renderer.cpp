@@ -38,7 +38,7 @@ class Rendering {
     const int w = ideal_.width, h = ideal_.height;
     images_.mixed = images_.real = images_.environment_reflection =
         core::Image<Color>(w, h, Color(0.0));
-    images_.virtual_mask = images_.specular_mask = images_.grazing =
+    images_.virtual_mask = images_.specular_mask = images_.grazing = images_.rim =
         core::Image<std::uint8_t>(w, h, 0);
     images_.layers = {core::Image<Vec4>(w, h, Vec4(0.0)), core::Image<Color>(w, h, Color(0.0))};
   }
@@ -76,18 +76,37 @@ class Rendering {
         const Sample sample = trace(position, decisions);
         add_sample(images_.layers, x, y, sample, request_.exposure, 1.0 / (n * n));
         if (i == 0 && j == 0) keep(x, y, sample);
-        if (request_.find_grazing)
-          note_grazing(images_.grazing.at(x, y), grazing(position, sample, decisions));
+        if (!request_.find_grazing) continue;
+        note_grazing(images_.grazing.at(x, y), grazing(position, sample, decisions));
+        if (is_at_rim(position)) images_.rim.at(x, y) = 1;
       }
     }
   }
 
   Sample trace(const Vec2& position, Decisions& decisions) const {
+    return Whitted(inputs_).trace(primary_ray(position), decisions);
+  }
+
+  Ray primary_ray(const Vec2& position) const {
     const Vec3 direction = glm::dmat3(world_from_camera_) * pinhole_direction(ideal_, position);
     Ray primary{Vec3(world_from_camera_[3]), glm::normalize(direction)};
     // The angle between neighbouring samples at the image's centre, all over the image.
     primary.spread = 1.0 / (ideal_.fy * request_.samples_per_side);
-    return Whitted(inputs_).trace(primary, decisions);
+    return primary;
+  }
+
+  bool is_at_rim(const Vec2& position) const {
+    const auto object = [this](const Vec2& at) {
+      const auto hit = inputs_.world.closest(primary_ray(at));
+      return hit ? hit->object + 1 : 0;
+    };
+    const double step = kRasterGrid / request_.samples_per_side;
+    const std::array<Vec2, 8> around = {
+        {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}}};
+    const auto here = object(position);
+    return std::any_of(around.begin(), around.end(), [&](const Vec2& direction) {
+      return object(position + step * direction) != here;
+    });
   }
 
   Grazing grazing(const Vec2& position, const Sample& sample, const Decisions& decisions) const {

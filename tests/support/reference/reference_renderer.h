@@ -26,6 +26,10 @@ enum class Grazing : std::uint8_t {
 };
 constexpr double kSteep = 2e-3;  // relative_error.h
 
+// A rasteriser puts corners on a grid of 256 a pixel (OpenGL asks for 16 at least, drivers have
+// 256): what lies first under a sample is sure only where it is the same this far around.
+constexpr double kRasterGrid = 1.0 / 256.0;  // sample spacings
+
 struct ReferenceRequest {
   core::CameraModel camera;  // as the client has it, with distortion
   scene::AnchoredScene anchored;
@@ -34,7 +38,7 @@ struct ReferenceRequest {
   double exposure = 1.0;
   int samples_per_side = 1;
   TraceSettings settings;
-  bool find_grazing = false;  // costs four more renderings
+  bool find_grazing = false;  // and rims; costs four more renderings
 };
 
 // Geometry of the ideal camera except where said. The images of the thesis hold the first sample
@@ -46,6 +50,7 @@ struct ReferenceImages {
   core::Image<std::uint8_t> virtual_mask;     // M_v
   core::Image<std::uint8_t> specular_mask;    // M_r
   core::Image<std::uint8_t> grazing;          // a Grazing, the largest of the pixel's samples
+  core::Image<std::uint8_t> rim;  // 1: one of its samples lies at a rim, see kRasterGrid
   Layers layers;
   core::ImageRgb8 composite;  // the camera's own geometry
 };

@@ -6,6 +6,13 @@
 #include "support/reference/shadow.h"
 
 namespace amalgam::reference {
+namespace {
+
+// Scene-linear. A hundred lights of that little each are far from what comparisons tell apart
+// (relative_error.h: kDarkest times a thousandth).
+constexpr double kNegligible = 1e-7;
+
+}  // namespace
 
 Sample Whitted::trace(const Ray& primary, Decisions& decisions) const {
   Sample sample;
@@ -77,7 +84,7 @@ void Whitted::add_environment(const Branch& branch, Collector& to) const {
 void Whitted::add_diffuse(const Branch& branch, const Surface& surface, Collector& to) const {
   const SurfaceMaterial& material = surface.material;
   const auto [lit_mixed, lit_real] = illuminate(
-      phong_of(surface.base_color(), material.metallic, material.roughness), surface, to);
+      phong_of(surface.base_color(), material.metallic, material.roughness), branch, surface, to);
   const Color m = material.emission + lit_mixed, r = material.emission + lit_real;
   const Color& w = branch.weight;
   if (surface.object.role == scene::Role::Virtual) {
@@ -102,24 +109,28 @@ void Whitted::add_scattered(const Branch& branch, const Surface& surface, double
                             Collector& to) const {
   const double share = not_reflected * (1.0 - surface.material.transmission);
   if (share == 0.0) return;
-  const auto [m, r] = illuminate(lambertian(surface.base_color()), surface, to);
+  const auto [m, r] = illuminate(lambertian(surface.base_color()), branch, surface, to);
   to.sample.mixed += share * branch.weight * m;
   if (surface.object.role == scene::Role::Real) to.sample.real += share * branch.weight * r;
 }
 
-Whitted::Shaded Whitted::illuminate(const Phong& phong, const Surface& surface,
-                                    Collector& to) const {
+Whitted::Shaded Whitted::illuminate(const Phong& phong, const Branch& branch,
+                                    const Surface& surface, Collector& to) const {
   Shaded result{Color(0.0), Color(0.0)};
   for (const scene::Light& light : in_.lights) {
     const ArrivingLight arrival = arriving_light(light, surface.hit.position);
     if (!(glm::dot(surface.shading_normal, arrival.to_light) > 0.0)) continue;
-    const bool above = glm::dot(surface.geometric_normal, arrival.to_light) > 0.0;
-    to.decisions.note(above ? 7 : 6);
-    if (!above) continue;
     const Color reflected_light =
         arrival.irradiance *
         reflected(phong, surface.shading_normal, arrival.to_light, surface.to_viewer);
-    const Shadow shadow = cast_shadow_ray(in_.world, surface.hit.position, arrival, to.decisions);
+    // A light that grazes the surface changes nothing, however it is decided whether it arrives.
+    Decisions unheeded;
+    const bool matters = largest_channel(branch.weight * reflected_light) > kNegligible;
+    Decisions& decisions = matters ? to.decisions : unheeded;
+    const bool above = glm::dot(surface.geometric_normal, arrival.to_light) > 0.0;
+    decisions.note(above ? 7 : 6);
+    if (!above) continue;
+    const Shadow shadow = cast_shadow_ray(in_.world, surface.hit.position, arrival, decisions);
     result.mixed += shadow.mixed * reflected_light;
     result.real += shadow.real * reflected_light;
   }

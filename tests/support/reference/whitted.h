@@ -76,7 +76,9 @@ class Whitted {
   void add_diffuse(const Branch& branch, const Surface& surface, Collector& to) const;
   void add_scattered(const Branch& branch, const Surface& surface, double not_reflected,
                      Collector& to) const;
-  Shaded illuminate(const Phong& phong, const Surface& surface, Collector& to) const;
+  // The surface's light from all lights. The branch's weight says whether a light matters at all.
+  Shaded illuminate(const Phong& phong, const Branch& branch, const Surface& surface,
+                    Collector& to) const;
   void meet_mirror(const Branch& branch, const Surface& surface, Collector& to) const;
   void meet_thin_glass(const Branch& branch, const Surface& surface, Collector& to) const;
   void meet_glass(const Branch& branch, const Surface& surface, Collector& to) const;
