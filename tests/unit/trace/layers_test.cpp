@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <numbers>
 #include <ostream>
 #include <string>
@@ -182,6 +183,22 @@ TEST_P(Layers, EachAbsorbsByBeerLambert) {
     for (const Layer& layer : layers_) depth += layer.thickness * double{layer.absorption[c]};
     EXPECT_NEAR(seen[c], surfaces * std::exp(-depth), 2e-6) << c;
   }
+}
+
+// A transform that mirrors turns triangles round and must not swap inside and outside. Boxes about
+// the axis look the same mirrored, so all stays as it was.
+TEST_P(Layers, StayTheSameMirrored) {
+  scene::Scene scene = vessel(GetParam().water_margin, true);
+  for (scene::Instance& instance : scene.instances) instance.anchor_from_mesh[0][0] = -1.0f;
+  add_lamp_behind(scene);
+  scene::Scene upright = vessel(GetParam().water_margin, true);
+  add_lamp_behind(upright);
+  const TraceSettings settings{.max_depth = 8, .importance_cutoff = 0.0f};
+  const glm::dvec3 eye(0.1, 0.23, 1.1), towards(0.8, 0.1, -1.0);
+  const glm::vec3 seen = trace_ray(scene, eye, eye + towards, settings),
+                  expected = trace_ray(upright, eye, eye + towards, settings);
+  EXPECT_LT(glm::distance(seen, expected), 1e-6f);
+  EXPECT_GT(seen.z, 0.5f);
 }
 
 INSTANTIATE_TEST_SUITE_P(OfAVessel, Layers, testing::Values(kOverlapping, kWithGap),

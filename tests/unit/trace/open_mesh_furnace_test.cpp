@@ -160,5 +160,27 @@ TEST(OpenMeshFurnace, SoupsOfGlassAndMirrors) {
   }
 }
 
+// Indices and absorptions at the ends of float, seen from a corner, from on a face and along it:
+// no gain, and no numbers that are none.
+TEST(OpenMeshFurnace, ExtremeMaterialsStayWithinIt) {
+  const scene::Environment furnace = constant_environment(1.0f);
+  for (const float index : {1.0f, 1.0000001f, 1e4f, 3e38f}) {
+    for (const float absorption : {0.0f, 1e-38f, 1e4f, 3e38f}) {
+      scene::Scene scene;
+      add_object(scene, make_box(glm::vec3(-0.5f), glm::vec3(0.5f)),
+                 make_glass(index, glm::vec3(absorption)), scene::Role::Virtual);
+      for (const glm::dvec3& eye : {glm::dvec3(0.5), glm::dvec3(0.1, 0.2, 0.5),
+                                    glm::dvec3(0.1, 2.0, 0.5), glm::dvec3(0.1, 0.2, 3.0)}) {
+        const TraceResult result = trace_shot(
+            scene,
+            {.eye = eye, .environment = &furnace, .width = 15, .height = 15, .focal_length = 10});
+        ASSERT_EQ(result.nonfinite, 0u) << index << " " << absorption;
+        for (const glm::vec3& pixel : result.images->mixed.pixels())
+          ASSERT_TRUE(pixel.x >= 0.0f && pixel.x <= 1.0f + kBound) << index << " " << absorption;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace amalgam::trace
