@@ -8,20 +8,13 @@
 #include <random>
 
 #include "support/scene_builders.h"
+#include "unit/trace/trace_shot.h"
 
 namespace amalgam::trace {
 namespace {
 
 using test_support::add_object;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-
-scene::AnchoredScene anchor_all(const scene::Scene& scene) {
-  scene::AnchoredScene anchored;
-  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
-    anchored.instances.push_back({i, scene.instances[i].anchor_from_mesh});
-  }
-  return anchored;
-}
 
 TEST(EmbreeScene, MeetsTheNearestAndTellsRealFromVirtual) {
   scene::Scene scene;
