@@ -71,14 +71,14 @@ TEST(Connection, SaysHelloAndExchangesFrames) {
 }
 
 TEST(Connection, AnswersPings) {
-  int pongs = 0;
+  std::promise<int> pongs;
   FakeServer server({[&](FakePeer& peer) {
     peer.welcome();
     protocol::Envelope ping;
     ping.mutable_ping()->set_nonce(5);
     for (int i = 0; i < 3; ++i) peer.send(ping);
     peer.answer_frames();
-    pongs = peer.pongs;
+    pongs.set_value(peer.pongs);
   }});
   {
     Connection connection(server.options(3000ms), hello());
@@ -86,7 +86,7 @@ TEST(Connection, AnswersPings) {
     connection.send(1, frame(1));
     EXPECT_TRUE(expect<Composited>(connection));
   }
-  EXPECT_EQ(pongs, 3);
+  EXPECT_EQ(pongs.get_future().get(), 3);
 }
 
 TEST(Connection, NewestFrameWinsWhileNothingIsRead) {
