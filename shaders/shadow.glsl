@@ -22,6 +22,7 @@ const float kMinTransmittance = 1e-6;
 float glass_reflectance(float cosine) {
   float m = clamp(1.0 - cosine, 0.0, 1.0);
   float r0 = material.normal_reflectance;
+  if (r0 == 0.0) return 0.0;  // as air: no interface
   float r = r0 + (1.0 - r0) * m * m * m * m * m;
   return material.thin != 0u ? 2.0 * r / (1.0 + r) : r;
 }

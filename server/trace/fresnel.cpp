@@ -63,6 +63,7 @@ double thin_sheet_reflectance(double surface_reflectance) {
 }
 
 float shadow_transmittance(float cos_incident, float ior, bool thin) {
+  if (ior == 1.0f) return 1.0f;
   const double surface = schlick(normal_incidence(1.0, double{ior}), double{cos_incident});
   return static_cast<float>(1.0 - (thin ? thin_sheet_reflectance(surface) : surface));
 }

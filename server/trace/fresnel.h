@@ -29,8 +29,8 @@ double thin_sheet_reflectance(double surface_reflectance);
 
 // The share of light that goes straight on through one glass surface on its way from a light
 // (shadow rays do not bend): 1 - Schlick with the cosine taken as if outside, so that no point in a
-// shadow is cut off by total reflection. The rasteriser's glass shadow maps use the same
-// (shaders/shadow.glsl).
+// shadow is cut off by total reflection; all of it where the index is that of air. The rasteriser's
+// glass shadow maps use the same (shaders/shadow.glsl).
 float shadow_transmittance(float cos_incident, float ior, bool thin);
 
 // Snell's law. direction: unit, travelling; normal: unit, against it. Nothing at total internal

@@ -104,6 +104,14 @@ TEST(GlassShadow, OfAMirroredSphere) {
   EXPECT_NEAR(frame.mixed->at(8, 8).x / frame.real->at(8, 8).x, expected, 1e-3);
 }
 
+// An air bubble's surface is no interface, however flat the light.
+TEST(GlassShadow, OfAirIsNone) {
+  const Attenuation got =
+      measure(make_box({-0.9f, 0.05f, -0.9f}, {0.9f, 0.1f, 0.9f}), make_glass(1.0f),
+              scene::Role::Virtual, make_sun({1.0f, 0.15f, 0.0f}));
+  expect_equal(got.mixed, glm::dvec3(1.0), 1e-6);
+}
+
 TEST(GlassShadow, DoesNotFallTowardsTheLight) {
   // Glass under a floor that is lit from above.
   const Attenuation got =

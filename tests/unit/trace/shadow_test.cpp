@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "support/scene_builders.h"
+#include "trace/fresnel.h"
 
 namespace amalgam::trace {
 namespace {
@@ -53,6 +54,13 @@ TEST(Shadow, GlassSlabTransmitsBySurfacesAndAbsorption) {
     EXPECT_NEAR(attenuation.mixed[c], 0.96f * 0.96f * std::exp(-absorption[c] * 0.2f), 1e-4f);
   }
   EXPECT_EQ(attenuation.real, glm::vec3(1.0f));
+}
+
+// An air bubble's surface is no interface, however flat the light.
+TEST(Shadow, AirCastsNone) {
+  EXPECT_EQ(shadow_transmittance(0.05f, 1.0f, false), 1.0f);
+  EXPECT_EQ(shadow_transmittance(0.05f, 1.0f, true), 1.0f);
+  EXPECT_LT(shadow_transmittance(0.05f, 1.0001f, false), 0.3f);
 }
 
 TEST(Shadow, OccluderBehindTheLightDoesNotCount) {
