@@ -27,7 +27,7 @@ struct ClosedFormRig {
   void add_ball(const Vec3& centre, double radius, const scene::Material& material,
                 scene::Role role = scene::Role::Virtual) {
     balls.push_back({centre, radius, 0});
-    ball_objects.push_back({material, 1000 + static_cast<std::uint32_t>(balls.size()), role});
+    ball_objects.push_back({material, 1000 + static_cast<std::uint32_t>(balls.size()), role, 0.0});
   }
 
   // Light of this radiance from everywhere.

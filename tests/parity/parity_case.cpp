@@ -57,11 +57,14 @@ void place_camera(ParityCase& parity_case) {
   parity_case.poses = {make_pose(parity_case.scene.world.marker)};
 }
 
-const reference::ReferenceImages& reference_images(const ParityCase& parity_case) {
-  static std::map<std::string, reference::ReferenceImages> rendered;
-  const auto found = rendered.find(parity_case.name);
-  if (found != rendered.end()) return found->second;
+ParityCase with_samples(ParityCase parity_case, int samples_per_side) {
+  const std::string n = std::to_string(samples_per_side);
+  parity_case.name += " " + n + "x" + n;
+  parity_case.samples_per_side = samples_per_side;
+  return parity_case;
+}
 
+reference::ReferenceRequest make_reference_request(const ParityCase& parity_case) {
   reference::ReferenceRequest request;
   request.camera = parity_case.camera;
   request.anchored = scene::anchor_scene(parity_case.scene, parity_case.poses);
@@ -76,6 +79,14 @@ const reference::ReferenceImages& reference_images(const ParityCase& parity_case
   request.settings.importance_cutoff = static_cast<double>(0.004f);
   request.samples_per_side = parity_case.samples_per_side;
   if (parity_case.exact_fresnel) request.settings.fresnel = reference::Fresnel::Exact;
+  return request;
+}
+
+const reference::ReferenceImages& reference_images(const ParityCase& parity_case) {
+  static std::map<std::string, reference::ReferenceImages> rendered;
+  const auto found = rendered.find(parity_case.name);
+  if (found != rendered.end()) return found->second;
+  reference::ReferenceRequest request = make_reference_request(parity_case);
   request.find_grazing = true;
   return rendered.emplace(parity_case.name, reference::render_reference(parity_case.scene, request))
       .first->second;

@@ -36,7 +36,14 @@ ParityCase make_parity_case(const std::string& scene_name, int width, int height
 // The made-up image, of the camera's size, and the pose.
 void place_camera(ParityCase& parity_case);
 
-// Rendered once for each name and kept: both modes of the renderer are compared with it.
+// The same with n x n samples a pixel.
+ParityCase with_samples(ParityCase parity_case, int samples_per_side);
+
+// The case as the reference is asked for it. The case must outlive the request.
+reference::ReferenceRequest make_reference_request(const ParityCase& parity_case);
+
+// With grazing pixels found. Rendered once for each name and kept: both modes of the renderer are
+// compared with it.
 const reference::ReferenceImages& reference_images(const ParityCase& parity_case);
 
 }  // namespace amalgam::parity

@@ -129,18 +129,16 @@ TEST(ParityOfMaterials, OneSampleAPixel) {
 }
 
 TEST(ParityOfMaterials, FourSamplesBehindALens) {
-  ParityCase parity_case = make_materials_case();
-  parity_case.name += " lens 2x2";
+  ParityCase parity_case = with_samples(make_materials_case(), 2);
+  parity_case.name += " lens";
   parity_case.camera.distortion = {-0.25, 0.08, 0.001, -0.0015, 0.01};
-  parity_case.samples_per_side = 2;
   expect_parity_in_both_modes(parity_case, {}, "materials-lens");
 }
 
 TEST(ParityOfEverything, ExactFresnelAndFourSamples) {
-  ParityCase parity_case = make_everything_case();
-  parity_case.name += " exact 2x2";
+  ParityCase parity_case = with_samples(make_everything_case(), 2);
+  parity_case.name += " exact";
   parity_case.exact_fresnel = true;
-  parity_case.samples_per_side = 2;
   expect_parity_in_both_modes(parity_case, {}, "everything-exact");
 }
 

@@ -20,11 +20,16 @@ class Decisions {
     unordered_ += one.signature_;
   }
 
+  // The answer depends on more digits than float has.
+  void note_unsure() { unsure_ = true; }
+  bool is_unsure() const { return unsure_; }
+
   std::uint64_t signature() const { return signature_ + unordered_; }
 
  private:
   std::uint64_t signature_ = 0xcbf29ce484222325ULL;
   std::uint64_t unordered_ = 0;
+  bool unsure_ = false;
 };
 
 }  // namespace amalgam::reference

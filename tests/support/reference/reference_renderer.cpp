@@ -13,6 +13,8 @@ namespace {
 
 // Radians, near enough: four roundings to float.
 constexpr double kNudge = 0x1p-22;
+// 32 units in the last place, by which the renderer lifts rays (trace/ray_offset.h says so).
+constexpr double kLift = 32 * 0x1p-23;
 const std::array<Vec2, 4> kNudges = {
     {{-kNudge, -kNudge}, {kNudge, -kNudge}, {-kNudge, kNudge}, {kNudge, kNudge}}};
 
@@ -73,7 +75,7 @@ class Rendering {
       for (int i = 0; i < n; ++i) {
         const Vec2 position(x - 0.5 + (i + 0.5) / n, y - 0.5 + (j + 0.5) / n);
         Decisions decisions;
-        const Sample sample = trace(position, decisions);
+        const Sample sample = trace(position, decisions, request_.find_grazing ? kLift : 0.0);
         add_sample(images_.layers, x, y, sample, request_.exposure, 1.0 / (n * n));
         if (i == 0 && j == 0) keep(x, y, sample);
         if (!request_.find_grazing) continue;
@@ -83,8 +85,10 @@ class Rendering {
     }
   }
 
-  Sample trace(const Vec2& position, Decisions& decisions) const {
-    return Whitted(inputs_).trace(primary_ray(position), decisions);
+  Sample trace(const Vec2& position, Decisions& decisions, double lift) const {
+    Whitted::Inputs inputs = inputs_;
+    inputs.settings.lift = lift;
+    return Whitted(inputs).trace(primary_ray(position), decisions);
   }
 
   Ray primary_ray(const Vec2& position) const {
@@ -110,10 +114,12 @@ class Rendering {
   }
 
   Grazing grazing(const Vec2& position, const Sample& sample, const Decisions& decisions) const {
+    if (decisions.is_unsure()) return Grazing::Edge;
     auto result = Grazing::No;
     for (const Vec2& nudge : kNudges) {
       Decisions nudged_decisions;
-      const Sample nudged = trace(position + nudge * Vec2(ideal_.fx, ideal_.fy), nudged_decisions);
+      const Sample nudged =
+          trace(position + nudge * Vec2(ideal_.fx, ideal_.fy), nudged_decisions, 0.0);
       if (nudged_decisions.signature() != decisions.signature()) return Grazing::Edge;
       if (change(nudged, sample) > kSteep) result = Grazing::Steep;
     }

@@ -24,6 +24,7 @@ Sample Whitted::trace(const Ray& primary, Decisions& decisions) const {
 void Whitted::follow(const Branch& branch, Collector& to) const {
   const auto hit = in_.world.closest(branch.ray);
   to.decisions.note(hit ? 2 * hit->object + (is_front(branch.ray, *hit) ? 3 : 2) : 0);
+  if (in_.settings.lift > 0.0 && branch.depth > 0) note_lift(branch, hit, to);
   if (!hit) {
     // What the camera sees directly is in its image already.
     if (branch.depth > 0) add_environment(branch, to);
@@ -57,6 +58,16 @@ void Whitted::follow(const Branch& branch, Collector& to) const {
   } else {
     meet_glass(arrived, surface, to);
   }
+}
+
+void Whitted::note_lift(const Branch& branch, const std::optional<Hit>& hit, Collector& to) const {
+  Ray lifted = branch.ray;
+  lifted.origin += branch.lift;
+  const auto other = in_.world.closest(lifted);
+  const bool same = hit && other ? hit->object == other->object &&
+                                       is_front(branch.ray, *hit) == is_front(lifted, *other)
+                                 : !hit && !other;
+  if (!same) to.decisions.note_unsure();
 }
 
 void Whitted::spawn(const Branch& child, Collector& to) const {
@@ -183,11 +194,14 @@ void Whitted::meet_glass(const Branch& branch, const Surface& surface, Collector
 }
 
 Whitted::Branch Whitted::child_of(const Branch& parent, const Surface& surface,
-                                  const Vec3& direction, const Color& share) {
+                                  const Vec3& direction, const Color& share) const {
   Ray ray = ray_from_surface(surface.hit.position, direction);
   ray.width = parent.ray.width_at(surface.hit.t);
   ray.spread = parent.ray.spread;
-  return {ray, parent.weight * share, parent.depth + 1, parent.media};
+  const double side = glm::dot(direction, surface.geometric_normal) < 0.0 ? -1.0 : 1.0;
+  const Vec3 lift =
+      side * in_.settings.lift * surface.object.coordinate_size * surface.geometric_normal;
+  return {ray, parent.weight * share, parent.depth + 1, parent.media, lift};
 }
 
 }  // namespace amalgam::reference

@@ -19,6 +19,10 @@ struct TraceSettings {
   int max_depth = 10;                // specular surfaces that a ray may meet
   double importance_cutoff = 0.004;  // a branch of less weight takes the environment
   Fresnel fresnel = Fresnel::Schlick;
+  // Set: it is noted as unsure (decisions.h) where a secondary ray would meet something else if it
+  // began this much above the surface, in relation to Object::coordinate_size. Renderers
+  // in float lift their rays so that they do not meet the same surface again.
+  double lift = 0.0;
 };
 
 struct Sample {
@@ -50,6 +54,7 @@ class Whitted {
     Color weight{1.0};
     int depth = 0;
     MediaStack media{};
+    Vec3 lift{0.0};  // see TraceSettings; from the ray's origin
   };
   // A hit seen from the side that the ray came from.
   struct Surface {
@@ -71,6 +76,7 @@ class Whitted {
   };
 
   void follow(const Branch& branch, Collector& to) const;
+  void note_lift(const Branch& branch, const std::optional<Hit>& hit, Collector& to) const;
   void spawn(const Branch& child, Collector& to) const;
   void add_environment(const Branch& branch, Collector& to) const;
   void add_diffuse(const Branch& branch, const Surface& surface, Collector& to) const;
@@ -84,8 +90,8 @@ class Whitted {
   void meet_glass(const Branch& branch, const Surface& surface, Collector& to) const;
   // The shading normal that reflections and refractions are taken at (bent_normal.h).
   static Vec3 mirror_normal(const Surface& surface);
-  static Branch child_of(const Branch& parent, const Surface& surface, const Vec3& direction,
-                         const Color& share);
+  Branch child_of(const Branch& parent, const Surface& surface, const Vec3& direction,
+                  const Color& share) const;
 
   Inputs in_;
 };

@@ -32,6 +32,14 @@ VertexAttributes make_attributes(const scene::Mesh& mesh, const glm::dmat3& line
   return result;
 }
 
+double coordinate_size(const scene::Mesh& mesh, const glm::dmat4& world_from_mesh) {
+  double farthest = 0.0;
+  for (const glm::vec3& position : mesh.positions) {
+    farthest = std::max(farthest, glm::length(glm::dmat3(world_from_mesh) * Vec3(position)));
+  }
+  return farthest + glm::length(Vec3(world_from_mesh[3]));
+}
+
 // A texture that the mesh says no place of is not read.
 scene::Material placed_material(const scene::Mesh& mesh, scene::Material material) {
   using scene::TextureSlot;
@@ -82,7 +90,8 @@ Geometry make_geometry(const scene::Scene& scene, const scene::AnchoredScene& an
     const auto object = static_cast<std::uint32_t>(geometry.objects.size());
     const scene::Mesh& mesh = scene.meshes[instance.mesh];
     geometry.objects.push_back({placed_material(mesh, scene.materials[instance.material]),
-                                instance.material, instance.role});
+                                instance.material, instance.role,
+                                coordinate_size(mesh, placed.world_from_mesh)});
     add_instance(geometry, mesh, glm::dmat4(placed.world_from_mesh), object);
   }
   return geometry;

@@ -19,6 +19,9 @@ struct Object {
   scene::Material material;  // without textures that the mesh has no coordinates for
   std::uint32_t medium = 0;  // the same number: the same glass
   scene::Role role = scene::Role::Virtual;
+  // What its points' coordinates are sums of, at most: a corner's way from the mesh's origin, and
+  // that one's from the world's. Metres; rounding is in proportion to this.
+  double coordinate_size = 0.0;
 };
 
 struct Geometry {
