@@ -1,24 +1,36 @@
 #!/usr/bin/env bash
-# Makes the pictures of the README anew, by our own renderer: deploy/pictures/*.jpg. Needs a build and the demo's assets.
+# Makes the pictures of the README anew, by our own renderer: deploy/pictures/*.jpg.
+# Needs a build, the demo's assets (deploy/fetch_assets.sh) and ImageMagick with the DejaVu fonts, which cuts and joins. Some pictures show test
+# data that the repository does not hold; without it they are named and stay as they are. BIN: where the programs are.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+bin=${BIN:-build/bin}
 out=deploy/pictures
+work=out/pictures
+data=${AMALGAM_TEST_DATA:-../shared/data}
 assets=out/assets
-mkdir -p "$out"
-photo=(--camera-image "$assets/singlemarkersoriginal.jpg" --calibration "$assets/tutorial_camera_params.yml" --samples 9)
-render() { build/bin/amalgam-render "$@"; }
+mkdir -p "$out" "$work"
+command -v convert >/dev/null || { echo "pictures: convert (package imagemagick) is missing" >&2; exit 1; }
 
-render --scene deploy/scenes/complex.gltf "${photo[@]}" --output "$out/complex-photograph.jpg"
-render --scene deploy/scenes/generated/bunny-glass.gltf "${photo[@]}" --output "$out/bunny-glass-photograph.jpg"
-render --scene deploy/scenes/generated/bunny-mirror.gltf "${photo[@]}" --output "$out/bunny-mirror-photograph.jpg"
-render --scene deploy/scenes/diffuse.gltf "${photo[@]}" --output "$out/diffuse-photograph.jpg"
+photo=(--camera-image "$assets/singlemarkersoriginal.jpg" --calibration "$assets/tutorial_camera_params.yml")
+# The same photograph at twice the size, so that there is something to see of small objects.
+convert "$assets/singlemarkersoriginal.jpg" -resize 200% -quality 95 "$work/photo.jpg"
+sed '1a image_width: 640\nimage_height: 480' "$assets/tutorial_camera_params.yml" > "$work/photo.yml"
+large=(--camera-image "$work/photo.jpg" --calibration "$work/photo.yml" --samples 9)
 
-# The synthetic camera, by way of server and client.
-build/bin/amalgam-server --samples 9 --listen 127.0.0.1:0 --admin 127.0.0.1:0 --log-level warn > out/pictures-server.txt &
-server=$!
-trap 'kill -TERM $server 2>/dev/null || true' EXIT
-for _ in $(seq 300); do grep -q listening out/pictures-server.txt && break; sleep 0.1; done
-address=$(sed -n 's/^listening on \([^ ]*\) .*/\1/p' out/pictures-server.txt)
-build/bin/amalgam-client --server "$address" --synthetic --frames 10 --lockstep --output out/pictures >/dev/null
-cp out/pictures/frame-000010.jpg "$out/complex-synthetic.jpg"
+render() { "$bin/amalgam-render" "$@"; }
+# jpeg IN OUT [ImageMagick's options]: OUT is the name in the gallery, without ending.
+jpeg() { convert "$1" "${@:3}" +repage -strip -quality 88 "$out/$2.jpg"; }
+# have FILE...: whether all test data that a picture needs are there.
+have() {
+  local file
+  for file in "$@"; do
+    [ -e "$data/$file" ] || { echo "pictures: no $data/$file; its picture stays as it is" >&2; return 1; }
+  done
+}
+
+for part in scenes methods clients; do
+  # shellcheck source=/dev/null
+  source "deploy/pictures_$part.sh"
+done
 ls -l "$out"

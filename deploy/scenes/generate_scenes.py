@@ -10,7 +10,9 @@ import argparse
 from pathlib import Path
 
 from generator.common import LIFT, glass_material, mirror_material, new_scene, turn
-from generator.images import write_half_exr, write_palette_png
+from generator.glassware import HAMMERED, glassware_scene
+from generator.hammered import hammered
+from generator.images import write_half_exr, write_palette_png, write_rgb_png
 from generator.marble import marble
 from generator.room import room
 from generator.shapes import box, cone, sphere, torus
@@ -73,6 +75,19 @@ def mirror_scene():
     return scene
 
 
+def markers_scene():
+    """Each object stands on a marker of its own and goes where that goes."""
+    scene = new_scene()
+    scene.add("marble cube", box(), marble_material(scene),
+              translation=[0.0, LIFT, 0.0], rotation=turn(20), scale=[0.045] * 3)
+    scene.add("mirror sphere", sphere(32, 32), mirror_material(scene, "chrome", 0.95), marker=62,
+              translation=[0.0, 0.03 + LIFT, 0.0], scale=[0.03] * 3)
+    scene.add("blue cone", cone(0.025, 0.07, 32), marker=98,
+              material=scene.material("blue", (0.08, 0.16, 0.60), roughness=0.5),
+              translation=[0.0, LIFT, 0.0])
+    return scene
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--output", type=Path, default=Path(__file__).resolve().parent,
@@ -80,9 +95,11 @@ def main():
     output = parser.parse_args().output
     output.mkdir(parents=True, exist_ok=True)
     for name, scene in (("complex", complex_scene()), ("diffuse", diffuse_scene()),
-                        ("mirror", mirror_scene())):
+                        ("mirror", mirror_scene()), ("glassware", glassware_scene()),
+                        ("markers", markers_scene())):
         scene.write(output / f"{name}.gltf")
     write_palette_png(output / MARBLE, *marble(128))
+    write_rgb_png(output / HAMMERED, hammered(96))
     write_half_exr(output / "environment.exr", room(256, 128))
 
 

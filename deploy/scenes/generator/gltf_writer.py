@@ -54,25 +54,32 @@ class GltfWriter:
         self.textures.append({"source": len(self.images) - 1, "sampler": 0})
         return len(self.textures) - 1
 
-    def material(self, name, color, metallic=0.0, roughness=1.0, texture=None, extensions=None):
+    def material(self, name, color, metallic=0.0, roughness=1.0, texture=None, extensions=None,
+                 normal_texture=None, emission=None):
         pbr = {"baseColorFactor": [*color, 1.0], "metallicFactor": metallic,
                "roughnessFactor": roughness}
         if texture is not None:
             pbr["baseColorTexture"] = {"index": texture}
         material = {"name": name, "pbrMetallicRoughness": pbr}
+        if normal_texture is not None:
+            material["normalTexture"] = {"index": normal_texture}
+        if emission is not None:
+            material["emissiveFactor"] = list(emission)
         if extensions:
             material["extensions"] = extensions
             self.extensions.update(extensions)
         self.materials.append(material)
         return len(self.materials) - 1
 
-    def add(self, name, shape, material, role="virtual", **transform):
-        """transform: translation, rotation (x y z w), scale, as in glTF."""
+    def add(self, name, shape, material, role="virtual", marker=None, **transform):
+        """marker: of another than the world's. transform: translation, rotation (x y z w), scale,
+        as in glTF."""
         attributes, indices = self._geometry(shape)
         self.meshes.append({"name": name, "primitives": [
             {"attributes": attributes, "indices": indices, "material": material}]})
+        extras = {"role": role} if marker is None else {"role": role, "marker": marker}
         self.nodes.append({"name": name, "mesh": len(self.meshes) - 1, **transform,
-                           "extras": {"amalgam": {"role": role}}})
+                           "extras": {"amalgam": extras}})
 
     def write(self, path):
         path = Path(path)

@@ -14,18 +14,29 @@ def _stored_zlib(data):
     return bytes(out + struct.pack(">I", zlib.adler32(data)))
 
 
-def write_palette_png(path, rows, palette):
-    """rows: lists of indices into palette, a list of up to 256 (r, g, b), each 0 .. 255."""
+def _write_png(path, width, color_type, lines, before_data=()):
+    """lines: the bytes of each row."""
 
     def chunk(kind, data):
         check = zlib.crc32(kind + data)
         return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", check)
 
-    header = struct.pack(">IIBBBBB", len(rows[0]), len(rows), 8, 3, 0, 0, 0)
-    pixels = b"".join(b"\0" + bytes(row) for row in rows)
+    header = struct.pack(">IIBBBBB", width, len(lines), 8, color_type, 0, 0, 0)
+    pixels = b"".join(b"\0" + line for line in lines)
     path.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) +
-                     chunk(b"PLTE", bytes(c for color in palette for c in color)) +
+                     b"".join(chunk(*one) for one in before_data) +
                      chunk(b"IDAT", _stored_zlib(pixels)) + chunk(b"IEND", b""))
+
+
+def write_palette_png(path, rows, palette):
+    """rows: lists of indices into palette, a list of up to 256 (r, g, b), each 0 .. 255."""
+    colors = bytes(c for color in palette for c in color)
+    _write_png(path, len(rows[0]), 3, [bytes(row) for row in rows], [(b"PLTE", colors)])
+
+
+def write_rgb_png(path, rows):
+    """rows: lists of (r, g, b), each 0 .. 255."""
+    _write_png(path, len(rows[0]), 2, [bytes(c for pixel in row for c in pixel) for row in rows])
 
 
 def write_half_exr(path, rows):

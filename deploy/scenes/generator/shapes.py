@@ -115,3 +115,55 @@ def cone(radius, height, segments):
             shape.vertex((0.0, 0.0, 0.0), down, (0.5, 0.5)),
         ]
     return shape
+
+
+def lathe(profile, segments):
+    """The outline turned about the y axis, closed if it begins and ends on the axis.
+
+    profile: (radius, height) from the bottom around to where it ends, the inside on the left of the
+    way; None between two points begins a new smooth stretch, so that there is an edge.
+    """
+    shape = Shape()
+    stretch = []
+    for point in [*profile, None]:
+        if point is not None:
+            stretch.append(point)
+            continue
+        _turn_stretch(shape, stretch, segments)
+        stretch = stretch[-1:]
+    return shape
+
+
+def _turn_stretch(shape, points, segments):
+    def outward(a, b):
+        dr, dy = b[0] - a[0], b[1] - a[1]
+        length = math.hypot(dr, dy)
+        return dy / length, -dr / length
+
+    row = segments + 1
+    first = len(shape.positions)
+    for j, (r, y) in enumerate(points):
+        sides = ([outward(points[j - 1], points[j])] if j > 0 else []) + \
+                ([outward(points[j], points[j + 1])] if j + 1 < len(points) else [])
+        nr, ny = (sum(side[i] for side in sides) for i in (0, 1))
+        length = math.hypot(nr, ny)
+        for i in range(row):
+            a = 2 * math.pi * (i % segments) / segments
+            shape.vertex((r * math.sin(a), y, r * math.cos(a)),
+                         (nr / length * math.sin(a), ny / length, nr / length * math.cos(a)),
+                         (i / segments, j / (len(points) - 1)))
+    for j in range(len(points) - 1):
+        for i in range(segments):
+            a, b = first + j * row + i, first + (j + 1) * row + i
+            if points[j][0] > 0:
+                shape.indices += [a, a + 1, b + 1]
+            if points[j + 1][0] > 0:
+                shape.indices += [a, b + 1, b]
+
+
+def plate(width, height, depth, repeat):
+    """A box standing on y = 0 whose front, towards +Z, shows a texture repeat times each way."""
+    shape = box()
+    shape.positions = [(x * width, y * height, z * depth) for x, y, z in shape.positions]
+    shape.uvs = [(u * repeat, v * repeat) for u, v in shape.uvs]
+    return shape

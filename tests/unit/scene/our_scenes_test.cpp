@@ -104,6 +104,30 @@ TEST(OurScenes, DiffuseAndMirrorScenesHaveOnlyThat) {
   EXPECT_FALSE(mirror.has_transmissive || mirror.has_real_specular);
 }
 
+TEST(OurScenes, GlasswareIsMediaInMedia) {
+  const Scene scene = load("glassware.gltf");
+  EXPECT_TRUE(scene.notes.empty()) << scene.notes.front();
+  const auto material = [&](const std::string& node) {
+    return scene.materials[find(scene, node).material];
+  };
+  EXPECT_EQ(material("tumbler").ior, 1.5f);
+  EXPECT_EQ(material("tea").ior, 1.33f);
+  EXPECT_EQ(material("bubble").ior, 1.0f);
+  EXPECT_TRUE(material("copper plate").normal_texture);
+  EXPECT_GT(material("lamp").emission.x, 1.0f);
+  // No surface of the tea lies in one of the glass: it reaches half way into it.
+  const auto tea = points(scene, find(scene, "tea")), glass = points(scene, find(scene, "tumbler"));
+  EXPECT_GT(extent(tea, {0, 1, 0}).first, extent(glass, {0, 1, 0}).first + 0.001f);
+  EXPECT_LT(extent(tea, {1, 0, 0}).second, extent(glass, {1, 0, 0}).second - 0.001f);
+}
+
+TEST(OurScenes, MarkersHaveAnObjectEach) {
+  const Scene scene = load("markers.gltf");
+  EXPECT_FALSE(find(scene, "marble cube").marker);
+  EXPECT_EQ(find(scene, "mirror sphere").marker, 62);
+  EXPECT_EQ(find(scene, "blue cone").marker, 98);
+}
+
 TEST(OurScenes, ObjectsStandOnTheTable) {
   for (const char* name : {"complex.gltf", "diffuse.gltf", "mirror.gltf"}) {
     const Scene scene = load(name);
@@ -146,7 +170,8 @@ TEST(OurScenes, ObjectsDoNotPierceEachOther) {
 
 // Closed and outward: the signed volume of each object is positive.
 TEST(OurScenes, FacesLookOutward) {
-  for (const char* name : {"complex.gltf", "diffuse.gltf", "mirror.gltf"}) {
+  for (const char* name :
+       {"complex.gltf", "diffuse.gltf", "mirror.gltf", "glassware.gltf", "markers.gltf"}) {
     const Scene scene = load(name);
     for (const Instance& instance : scene.instances) {
       const Mesh& mesh = scene.meshes[instance.mesh];
