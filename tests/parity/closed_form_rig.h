@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "support/reference/media_around.h"
 #include "support/reference/reference_renderer.h"
 #include "support/scene_builders.h"
 
@@ -58,7 +59,7 @@ struct ClosedFormRig {
   Sample trace(const Vec3& origin, const Vec3& direction, double spread = 0.0) const {
     const World surfaces = world();
     const Whitted tracer({surfaces, lights, scene.environment ? &*scene.environment : nullptr,
-                          camera_view, settings});
+                          camera_view, settings, media_around(surfaces, origin)});
     Decisions decisions;
     return tracer.trace(
         {.origin = origin, .direction = glm::normalize(direction), .spread = spread}, decisions);

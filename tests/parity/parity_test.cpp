@@ -10,6 +10,7 @@
 #include "parity/materials_case.h"
 #include "parity/parity_row.h"
 #include "support/compare_images.h"
+#include "support/scene_builders.h"
 
 namespace amalgam::parity {
 namespace {
@@ -122,6 +123,15 @@ void expect_parity_in_both_modes(const ParityCase& parity_case, const Limits& li
 
 TEST(ParityOfEverything, OneSampleAPixel) {
   expect_parity_in_both_modes(make_everything_case(), {}, "everything");
+}
+
+TEST(ParityOfEverything, UnderWater) {
+  ParityCase parity_case = make_everything_case();
+  parity_case.name += " under water";
+  test_support::add_object(parity_case.scene,
+                           test_support::make_box({-0.6f, -0.1f, -0.5f}, {0.5f, 0.45f, 0.7f}),
+                           test_support::make_glass(1.33f, {2.0f, 1.0f, 0.5f}), scene::Role::Real);
+  expect_parity_in_both_modes(parity_case, {}, "everything-under-water");
 }
 
 TEST(ParityOfMaterials, OneSampleAPixel) {

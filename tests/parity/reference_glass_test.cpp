@@ -163,6 +163,40 @@ TEST(ReferenceGlass, FurnaceHoldsForAnyShapeAndDirection) {
   }
 }
 
+TEST(ReferenceGlass, RaysStartInTheMediaAround) {
+  ClosedFormRig rig;
+  rig.add(make_box(glm::vec3(-2.0f), glm::vec3(2.0f)), make_glass(1.33f));
+  rig.add(make_sphere(glm::vec3(0.0f), 1.0f, 24, 12), make_glass(1.5f));
+  rig.add(make_quad({0.0f, 0.0f, -5.0f}, {9.0f, 0.0f, 0.0f}, {0.0f, 9.0f, 0.0f}), make_glass(1.7f));
+  rig.add_ball(Vec3(0.0, 0.0, 0.5), 0.25, make_glass(1.0f));
+  const World world = rig.world();
+  const auto indices = [&](const Vec3& point) {
+    std::vector<float> result;
+    for (MediaStack media = media_around(world, point); !media.empty();) {
+      result.push_back(media.innermost()->material.ior);
+      media = media.left(*media.innermost());
+    }
+    return result;
+  };
+  EXPECT_EQ(indices({0.1, 0.2, 3.0}), std::vector<float>{});
+  EXPECT_EQ(indices({0.1, 0.2, -4.99}), std::vector<float>{});  // an open surface
+  EXPECT_EQ(indices({0.1, 0.2, 1.5}), std::vector<float>{1.33f});
+  EXPECT_EQ(indices({0.1, 0.2, -0.3}), (std::vector<float>{1.5f, 1.33f}));
+  EXPECT_EQ(indices({0.1, 0.0, 0.5}), (std::vector<float>{1.0f, 1.5f, 1.33f}));
+}
+
+TEST(ReferenceGlass, CameraInWaterSeesOutThroughOneSurface) {
+  ClosedFormRig rig = slab(make_glass(1.5f, {0.5f, 1.0f, 2.0f}));
+  const Color seen = rig.trace({0.1, 0.23, -0.25}, kForward).mixed;
+  // Straight on, and once to and fro: the way in glass is 0.75 m, then 2 m more.
+  rig.settings.max_depth = 1;
+  const Color straight = rig.trace({0.1, 0.23, -0.25}, kForward).mixed;
+  const Color sigma(0.5, 1.0, 2.0);
+  EXPECT_LT(glm::length(straight - (1.0 - kR) * glm::exp(-0.75 * sigma)), 1e-14);
+  const Color series = 1.0 / (1.0 - kR * kR * glm::exp(-2.0 * sigma));
+  EXPECT_LT(glm::length(seen - straight * series), 1e-9);
+}
+
 TEST(ReferenceGlass, LowDynamicRangeEnvironmentGoesToItsOwnImage) {
   ClosedFormRig rig;
   rig.add_ball(Vec3(0.0), 1.0, make_glass(1.5f));

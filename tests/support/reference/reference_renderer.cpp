@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "support/reference/lens.h"
+#include "support/reference/media_around.h"
 #include "support/reference/relative_error.h"
 
 namespace amalgam::reference {
@@ -37,6 +38,7 @@ class Rendering {
               request.exposure},
         inputs_{world, request.lights, environment, &view_, request.settings},
         world_from_camera_(glm::inverse(request.anchored.camera_from_world)) {
+    inputs_.start_media = media_around(world, Vec3(world_from_camera_[3]));
     const int w = ideal_.width, h = ideal_.height;
     images_.mixed = images_.real = images_.environment_reflection =
         core::Image<Color>(w, h, Color(0.0));

@@ -19,9 +19,7 @@ struct Passage {
     const SurfaceMaterial here = world.material(hit);
     const double ior = static_cast<double>(material.ior);
     const double cosine = std::abs(glm::dot(here.normal, ray.direction));
-    // What has the index of air has no interface with it.
-    double reflected =
-        ior == 1.0 ? 0.0 : schlick(normal_reflectance(1.0, ior), std::min(1.0, cosine));
+    double reflected = reflectance(Fresnel::Schlick, 1.0, ior, std::min(1.0, cosine));
     if (material.thin) {
       reflected = thin_reflectance(reflected);
     } else {

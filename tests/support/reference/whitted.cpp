@@ -17,7 +17,7 @@ constexpr double kNegligible = 1e-7;
 Sample Whitted::trace(const Ray& primary, Decisions& decisions) const {
   Sample sample;
   Collector to{sample, decisions};
-  follow({.ray = primary}, to);
+  follow({.ray = primary, .media = in_.start_media}, to);
   return sample;
 }
 
@@ -43,7 +43,8 @@ void Whitted::follow(const Branch& branch, Collector& to) const {
       material};
   if (object.role == scene::Role::Virtual) to.sample.met_virtual = true;
   if (object.material.kind == scene::MaterialKind::Diffuse) {
-    add_diffuse(arrived, surface, to);
+    // Seen directly it is as a rasteriser draws it: media count from the first mirror or glass on.
+    add_diffuse(branch.depth == 0 ? branch : arrived, surface, to);
     return;
   }
 

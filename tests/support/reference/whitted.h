@@ -41,6 +41,7 @@ class Whitted {
     const scene::Environment* environment = nullptr;  // null: black
     const CameraView* camera_view = nullptr;          // null: no look-ups
     TraceSettings settings;
+    MediaStack start_media{};  // that primary rays begin in
   };
 
   explicit Whitted(const Inputs& inputs) : in_(inputs) {}

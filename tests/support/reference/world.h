@@ -39,6 +39,7 @@ class World {
   // The textures must outlive the world.
   World(Geometry geometry, std::span<const scene::Texture> textures);
 
+  const Geometry& geometry() const { return geometry_; }
   const Object& object(const Hit& hit) const { return geometry_.objects[hit.object]; }
 
   // What the surface is made of at that point; for its normal, which side does not matter.
