@@ -119,8 +119,8 @@ class TextureAssigner {
     // Infinite: its colour does not matter.
     const bool reflects_all = !diffuse && material_.ior == 0.0f;
     if (!reflects_all) assign(BaseColor, pbr.baseColorTexture, TexelEncoding::Srgb);
-    if (diffuse || glass)
-      assign(MetallicRoughness, pbr.metallicRoughnessTexture, TexelEncoding::Linear);
+    // Mirrors and glass are smooth, whatever their texture says of single points.
+    if (diffuse) assign(MetallicRoughness, pbr.metallicRoughnessTexture, TexelEncoding::Linear);
     if (material_.emission != glm::vec3(0.0f))
       assign(Emissive, from.emissiveTexture, TexelEncoding::Srgb);
     if (glass) assign_transmission(from);

@@ -27,19 +27,32 @@ Scene scene_of(const std::string& material, const std::string& more_attributes =
 TEST(GltfTextures, EverySlotIsRead) {
   const Scene scene = scene_of(R"({"emissiveFactor": [1, 1, 1], "emissiveTexture": {"index": 0},
       "normalTexture": {"index": 0, "scale": 0.5},
-      "pbrMetallicRoughness": {"baseColorTexture": {"index": 0}, "metallicRoughnessTexture": {"index": 0}},
-      "extensions": {"KHR_materials_transmission": {"transmissionFactor": 0.75, "transmissionTexture": {"index": 1}}}})");
+      "pbrMetallicRoughness": {"baseColorTexture": {"index": 0}, "metallicRoughnessTexture": {"index": 0}}})");
   const Material& material = scene.materials.at(0);
-  for (const TextureSlot slot : kAllTextureSlots) EXPECT_TRUE(material.texture(slot));
-  EXPECT_EQ(material.transmission, 0.75f);
+  for (const TextureSlot slot : kAllTextureSlots) {
+    EXPECT_EQ(material.texture(slot).has_value(), slot != TextureSlot::Transmission);
+  }
   EXPECT_EQ(material.normal_scale, 0.5f);
   // One picture, as colour and as data, the latter under two names.
-  EXPECT_EQ(scene.textures.size(), 3u);
+  EXPECT_EQ(scene.textures.size(), 2u);
   EXPECT_EQ(material.base_color_texture, material.emissive_texture);
   EXPECT_EQ(material.normal_texture, material.metallic_roughness_texture);
   EXPECT_NE(material.normal_texture, material.base_color_texture);
   EXPECT_EQ(scene.textures[0].mips.size(), 7u);  // 128 texels
   EXPECT_EQ(scene.meshes[0].tangents.size(), scene.meshes[0].positions.size());
+}
+
+// Glass is smooth: only what it lets through is read besides its colour.
+TEST(GltfTextures, GlassHasATransmissionAndNoRoughness) {
+  const Scene scene = scene_of(R"({"pbrMetallicRoughness":
+      {"baseColorTexture": {"index": 0}, "metallicRoughnessTexture": {"index": 0}},
+      "extensions": {"KHR_materials_transmission": {"transmissionFactor": 0.75, "transmissionTexture": {"index": 1}}}})");
+  const Material& material = scene.materials.at(0);
+  EXPECT_EQ(material.transmission, 0.75f);
+  EXPECT_TRUE(material.transmission_texture);
+  EXPECT_TRUE(material.base_color_texture);
+  EXPECT_FALSE(material.metallic_roughness_texture);
+  EXPECT_EQ(scene.textures.size(), 2u);
 }
 
 TEST(GltfTextures, WhatNothingReadsIsNotLoaded) {
