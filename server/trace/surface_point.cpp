@@ -43,7 +43,7 @@ glm::vec3 valid_shading_normal(const glm::vec3& geometric_normal, const glm::vec
 
 scene::PhongTerms phong_terms_at(const SurfacePoint& point, scene::MaterialKind kind) {
   const glm::vec3 color(point.base_color);
-  if (kind == scene::MaterialKind::Dielectric) return {.albedo = color};
+  if (kind == scene::MaterialKind::Dielectric && !is_rough(point)) return {.albedo = color};
   return scene::phong_terms(color, point.metallic, point.roughness);
 }
 

@@ -47,8 +47,15 @@ Hit hit_on_line(const EmbreeScene& scene, const Hit& hit, const glm::vec3& start
 SurfacePoint surface_point(const EmbreeScene& scene, const Hit& hit, const glm::vec3& direction,
                            float cone_width = 0.0f);
 
-// What a diffuse surface does at the point, or what glass does with the light that it neither
-// reflects nor lets through: that is Lambertian, because its mirror image is traced.
+// Too rough for a mirror image, by glTF's roughness there; the loader draws the same line between
+// mirrors and other metals.
+inline bool is_rough(const SurfacePoint& point) {
+  constexpr float kSmooth = 0.2f;
+  return point.roughness > kSmooth;
+}
+
+// What a diffuse surface does at the point, or what glass does with the light that it does not let
+// through: smooth glass is Lambertian, because its mirror image is traced.
 scene::PhongTerms phong_terms_at(const SurfacePoint& point, scene::MaterialKind kind);
 
 // Bends a shading normal until the reflection of the view about it leaves the surface at a small

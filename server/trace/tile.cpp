@@ -180,14 +180,17 @@ void Tile::scatter(const RayItem& item, const SurfacePoint& point, const glm::ve
     return;
   }
   const glm::vec3 tint = point.transmission * glm::vec3(point.base_color);
+  // What a rough surface does not let through has no mirror image: Phong's highlight stands for it.
+  const float mirror_share = is_rough(point) ? point.transmission : 1.0f;
+  const auto scattered = [&](float k_s) { return is_rough(point) ? 1.0f : 1.0f - k_s; };
   if (material.thin) {
     const double ior = material.ior;
     const auto k_s = static_cast<float>(
         thin_sheet_reflectance(reflectance(request_.settings.fresnel, cos_incident, 1.0, ior)));
-    spawn(item, point, reflected, weight * k_s, RayKind::Reflection, item.media);
+    spawn(item, point, reflected, weight * k_s * mirror_share, RayKind::Reflection, item.media);
     spawn(item, point, item.ray.direction, weight * tint * (1.0f - k_s), RayKind::Refraction,
           item.media);
-    scatter_back(item, point, weight * (1.0f - k_s));
+    scatter_back(item, point, weight * scattered(k_s));
     return;
   }
   const auto& materials = request_.scene.scene().materials;
@@ -206,22 +209,21 @@ void Tile::scatter(const RayItem& item, const SurfacePoint& point, const glm::ve
   const auto k_s = refracted ? static_cast<float>(reflectance(request_.settings.fresnel,
                                                               cos_incident, eta_here, eta_beyond))
                              : 1.0f;
-  spawn(item, point, reflected, weight * k_s, RayKind::Reflection, item.media);
+  spawn(item, point, reflected, weight * k_s * mirror_share, RayKind::Reflection, item.media);
   if (refracted) {
     spawn(item, point, glm::vec3(*refracted), weight * tint * (1.0f - k_s), RayKind::Refraction,
           beyond);
-    scatter_back(item, point, weight * (1.0f - k_s));
   }
+  scatter_back(item, point, weight * scattered(k_s));
 }
 
 // What glass neither reflects nor lets through (its transmission texture) its surface scatters. It
 // is shaded as modelled and never looked up: the camera sees all of the surface there and not this
 // share of it.
 void Tile::scatter_back(const RayItem& item, const SurfacePoint& point, const glm::vec3& weight) {
-  const float share = 1.0f - point.transmission;
-  if (!(share > 0.0f)) return;
-  diffuse_.push_back(
-      {point, -item.ray.direction, share * weight, item.sample, RealColor::Modelled});
+  const glm::vec3 scattered = (1.0f - point.transmission) * weight;
+  if (!(importance(scattered) > 0.0f)) return;
+  diffuse_.push_back({point, -item.ray.direction, scattered, item.sample, RealColor::Modelled});
 }
 
 // Masked-out texels are not there. No surface was met, so the line goes on from where it started,

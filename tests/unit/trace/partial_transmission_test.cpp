@@ -72,6 +72,21 @@ TEST(PartialTransmission, SharesOfASolidAddUpAtBothSurfaces) {
   }
 }
 
+// Opaque and rough as clay, it looks like clay, though its kind is glass: no mirror image.
+TEST(PartialTransmission, WhatIsRoughAndLetsNothingThroughIsAsAnOpaqueSurface) {
+  for (const bool thin : {true, false}) {
+    scene::Material glass = frosted(0.0f, thin);
+    glass.roughness = 0.6f;
+    const scene::Mesh box = make_box({-3, -3, -0.4f}, {3, 3, 0});
+    scene::Scene as_glass, as_clay;
+    add_object(as_glass, box, glass, scene::Role::Virtual);
+    add_object(as_clay, box, test_support::make_diffuse(kColor, 0.6f), scene::Role::Virtual);
+    const glm::vec3 expected = seen_through(as_clay, 2);
+    EXPECT_GT(expected.x, 0.1f);
+    EXPECT_LT(glm::distance(seen_through(as_glass, 2), expected), 1e-6f) << thin;
+  }
+}
+
 // The left half of the texture lets a fifth through, the right half all.
 TEST(PartialTransmission, TheTextureMultipliesTheFactor) {
   scene::Scene scene;
