@@ -119,11 +119,14 @@ class TextureAssigner {
     // Infinite: its colour does not matter.
     const bool reflects_all = !diffuse && material_.ior == 0.0f;
     if (!reflects_all) assign(BaseColor, pbr.baseColorTexture, TexelEncoding::Srgb);
-    // Mirrors and glass are smooth, whatever their texture says of single points.
-    if (diffuse) assign(MetallicRoughness, pbr.metallicRoughnessTexture, TexelEncoding::Linear);
     if (material_.emission != glm::vec3(0.0f))
       assign(Emissive, from.emissiveTexture, TexelEncoding::Srgb);
     if (glass) assign_transmission(from);
+    // Mirrors and what goes through glass are smooth, whatever a texture says of single points.
+    const bool scatters =
+        glass && (material_.transmission < 1.0f || material_.transmission_texture);
+    if (diffuse || scatters)
+      assign(MetallicRoughness, pbr.metallicRoughnessTexture, TexelEncoding::Linear);
     assign(Normal, from.normalTexture, TexelEncoding::Linear);
     material_.normal_scale = static_cast<float>(from.normalTexture.scale);
   }

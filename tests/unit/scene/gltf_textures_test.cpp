@@ -42,17 +42,24 @@ TEST(GltfTextures, EverySlotIsRead) {
   EXPECT_EQ(scene.meshes[0].tangents.size(), scene.meshes[0].positions.size());
 }
 
-// Glass is smooth: only what it lets through is read besides its colour.
-TEST(GltfTextures, GlassHasATransmissionAndNoRoughness) {
-  const Scene scene = scene_of(R"({"pbrMetallicRoughness":
+// Roughness matters for what glass does not let through.
+TEST(GltfTextures, OnlyGlassThatScattersHasARoughness) {
+  const auto glass_of = [](const std::string& transmission) {
+    return scene_of(R"({"pbrMetallicRoughness":
       {"baseColorTexture": {"index": 0}, "metallicRoughnessTexture": {"index": 0}},
-      "extensions": {"KHR_materials_transmission": {"transmissionFactor": 0.75, "transmissionTexture": {"index": 1}}}})");
-  const Material& material = scene.materials.at(0);
-  EXPECT_EQ(material.transmission, 0.75f);
-  EXPECT_TRUE(material.transmission_texture);
-  EXPECT_TRUE(material.base_color_texture);
-  EXPECT_FALSE(material.metallic_roughness_texture);
-  EXPECT_EQ(scene.textures.size(), 2u);
+      "extensions": {"KHR_materials_transmission": {)" +
+                    transmission + "}}}");
+  };
+  const Scene clear = glass_of(R"("transmissionFactor": 1)");
+  EXPECT_TRUE(clear.materials.at(0).base_color_texture);
+  EXPECT_FALSE(clear.materials.at(0).metallic_roughness_texture);
+  EXPECT_EQ(clear.textures.size(), 1u);
+  const Scene hazy = glass_of(R"("transmissionFactor": 0.75)");
+  EXPECT_EQ(hazy.materials.at(0).transmission, 0.75f);
+  EXPECT_TRUE(hazy.materials.at(0).metallic_roughness_texture);
+  const Scene painted = glass_of(R"("transmissionFactor": 1, "transmissionTexture": {"index": 1})");
+  EXPECT_TRUE(painted.materials.at(0).transmission_texture);
+  EXPECT_TRUE(painted.materials.at(0).metallic_roughness_texture);
 }
 
 TEST(GltfTextures, WhatNothingReadsIsNotLoaded) {
