@@ -73,7 +73,7 @@ void note_unused(const tinygltf::Material& from, const JsonCursor* at,
 }
 
 Material resolve_material(const tinygltf::Material& from, const JsonCursor* at) {
-  constexpr double kTransmissive = 0.5, kMetallic = 0.5, kSmooth = 0.2;
+  constexpr double kTransmissive = 0.5, kMetallic = 0.5;
   Material material;
   material.name = from.name;
   const auto& pbr = from.pbrMetallicRoughness;
@@ -98,7 +98,7 @@ Material resolve_material(const tinygltf::Material& from, const JsonCursor* at) 
   if (transmission >= kTransmissive) {
     material.transmission = static_cast<float>(transmission);
     resolve_dielectric(*extensions, material);
-  } else if (pbr.metallicFactor >= kMetallic && pbr.roughnessFactor <= kSmooth) {
+  } else if (pbr.metallicFactor >= kMetallic && material.roughness <= kSmoothRoughness) {
     material.kind = MaterialKind::Mirror;
   }
   return material;

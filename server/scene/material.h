@@ -34,6 +34,9 @@ constexpr std::array<TextureSlot, kTextureSlots> kAllTextureSlots{
     TextureSlot::BaseColor, TextureSlot::MetallicRoughness, TextureSlot::Emissive,
     TextureSlot::Transmission, TextureSlot::Normal};
 
+// glTF's roughness up to which metals, and glass that scatters, show a mirror image.
+constexpr float kSmoothRoughness = 0.2f;
+
 struct Material {
   std::string name;
   MaterialKind kind = MaterialKind::Diffuse;

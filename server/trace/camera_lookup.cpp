@@ -8,6 +8,7 @@
 
 #include "core/pose.h"
 #include "scene/tone_map.h"
+#include "trace/straight_way.h"
 
 namespace amalgam::trace {
 namespace {
@@ -25,31 +26,27 @@ float border_trust(const core::CameraModel& camera, const glm::dvec2& pixel) {
 }
 
 // Whether a real surface lies on the segment. Masked-out texels are none.
-bool is_hidden(const EmbreeScene& scene, Ray segment) {
+bool is_hidden(const EmbreeScene& scene, const Ray& segment) {
   if (!scene.is_occluded(segment, Visible::Real)) return false;  // the common case
-  while (segment.t_max > 0.0f) {
-    const auto hit = scene.intersect(segment, Visible::Real);
-    if (!hit) return false;
-    const SurfacePoint point = surface_point(scene, *hit, segment.direction);
+  bool hidden = false;
+  walk_straight(scene, segment, Visible::Real, [&](const SurfacePoint& point, double) {
     const auto& cutoff = scene.scene().materials[point.material].alpha_cutoff;
-    if (!cutoff || point.base_color.w >= *cutoff) return true;
-    const glm::vec3 behind = point.ray_origin_on_line(segment.direction);
-    segment.t_max -= glm::distance(behind, segment.origin);
-    segment.origin = behind;
-  }
-  return false;
+    hidden = !cutoff || point.base_color.w >= *cutoff;
+    return hidden ? std::nullopt : std::optional(Visible::Real);
+  });
+  return hidden;
 }
 
 }  // namespace
 
 CameraLookup::CameraLookup(const CameraView& view)
-    : view_(view), camera_in_world_(glm::vec3(core::rigid_inverse(view.camera_from_world)[3])) {}
+    : view_(view), camera_in_world_(core::rigid_inverse(view.camera_from_world)[3]) {}
 
 std::optional<CameraSample> CameraLookup::look_up(const EmbreeScene& scene,
                                                   const SurfacePoint& point,
                                                   std::uint64_t& lookup_rays) const {
-  const glm::vec3 to_camera = camera_in_world_ - point.position;
-  if (!(glm::dot(to_camera, point.geometric_normal) > 0.0f)) return std::nullopt;  // its back
+  const glm::dvec3 to_camera = camera_in_world_ - point.position;
+  if (!(glm::dot(to_camera, point.geometric_normal) > 0.0)) return std::nullopt;  // its back
 
   const glm::dvec3 in_camera(view_.camera_from_world * glm::dvec4(point.position, 1.0));
   const auto pixel = core::project(view_.camera, in_camera);
@@ -61,10 +58,11 @@ std::optional<CameraSample> CameraLookup::look_up(const EmbreeScene& scene,
   if (verdict == DepthVerdict::Hidden) return std::nullopt;
   if (verdict == DepthVerdict::Unsure) {
     ++lookup_rays;
-    const glm::vec3 direction = glm::normalize(to_camera);
+    const glm::dvec3 direction = glm::normalize(to_camera);
     const glm::vec3 origin = point.ray_origin_on_line(direction);
-    const float distance = glm::distance(camera_in_world_, origin);
-    if (is_hidden(scene, {origin, direction, distance})) return std::nullopt;
+    const double distance = glm::distance(camera_in_world_, glm::dvec3(origin));
+    if (is_hidden(scene, {origin, glm::vec3(direction), static_cast<float>(distance)}))
+      return std::nullopt;
   }
   return CameraSample{scene::inverse_tone_map(bilinear(*pixel), view_.exposure), trust};
 }

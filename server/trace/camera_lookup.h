@@ -47,7 +47,7 @@ class CameraLookup {
   glm::vec3 bilinear(const glm::dvec2& pixel) const;
 
   CameraView view_;
-  glm::vec3 camera_in_world_;
+  glm::dvec3 camera_in_world_;
 };
 
 }  // namespace amalgam::trace

@@ -56,10 +56,11 @@ SceneHandle build_mesh(RTCDevice device, const scene::Mesh& mesh) {
   return built;
 }
 
-glm::mat3 normal_matrix(const glm::mat4& world_from_mesh) {
-  const glm::mat3 m(world_from_mesh);
-  const glm::mat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
-  return glm::determinant(m) < 0.0f ? -cofactors : cofactors;
+glm::dmat3 normal_matrix(const glm::mat4& world_from_mesh) {
+  const glm::dmat3 m(world_from_mesh);
+  const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]),
+                             glm::cross(m[0], m[1]));
+  return glm::determinant(m) < 0.0 ? -cofactors : cofactors;
 }
 
 bool is_finite(const glm::vec3& v) {
@@ -67,7 +68,7 @@ bool is_finite(const glm::vec3& v) {
 }
 
 bool is_valid(const Ray& ray) {
-  return is_finite(ray.origin) && is_finite(ray.direction) && ray.t_max > 0.0f;
+  return is_finite(ray.origin) && is_finite(ray.direction) && ray.t_max > ray.t_min;
 }
 
 void fill(RTCRay& out, const Ray& ray, Visible visible) {
@@ -77,7 +78,7 @@ void fill(RTCRay& out, const Ray& ray, Visible visible) {
   out.dir_x = ray.direction.x;
   out.dir_y = ray.direction.y;
   out.dir_z = ray.direction.z;
-  out.tnear = 0.0f;
+  out.tnear = ray.t_min;
   out.tfar = ray.t_max;
   out.time = 0.0f;
   out.mask = static_cast<unsigned>(visible);
@@ -142,7 +143,7 @@ void EmbreeScene::place(const scene::AnchoredScene& anchored) {
     if (next[i] == last_placed_[i]) continue;
     RTCGeometry geometry = impl_->instances[i].get();
     if (next[i]) {
-      placed_[i] = {*next[i], normal_matrix(*next[i])};
+      placed_[i] = {glm::dmat4(*next[i]), normal_matrix(*next[i])};
       rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR,
                               glm::value_ptr(*next[i]));
       rtcEnableGeometry(geometry);

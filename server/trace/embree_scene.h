@@ -25,21 +25,22 @@ struct Ray {
   glm::vec3 origin{0.0f};
   glm::vec3 direction{0.0f};  // unit
   float t_max = 0.0f;         // metres; infinity for no end
+  float t_min = 0.0f;
 };
 
 struct Hit {
   std::uint32_t instance = 0;   // index into Scene::instances
   std::uint32_t triangle = 0;   // index into the mesh's triangles
-  glm::vec2 barycentric{0.0f};  // weights of the second and third corner
-  float t = 0.0f;
+  glm::dvec2 barycentric{0.0};  // weights of the second and third corner
+  double t = 0.0;               // metres; as Embree finds it, a float
 };
 
 // An instance placed in the world, with the matrix that carries its normals (cofactors, so that
 // singular scales cannot divide by zero, times the sign of the determinant, so that outside stays
 // outside under mirroring: numerics B23).
 struct PlacedInstance {
-  glm::mat4 world_from_mesh{1.0f};
-  glm::mat3 normal_from_mesh{1.0f};
+  glm::dmat4 world_from_mesh{1.0};
+  glm::dmat3 normal_from_mesh{1.0};
 };
 
 class EmbreeScene {

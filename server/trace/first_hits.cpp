@@ -24,7 +24,7 @@ FirstHits find_first_hits(const EmbreeScene& scene, const core::CameraModel& cam
                                        Visible::Everything);
       if (!hit) continue;
       hits.instance.at(x, y) = hit->instance;
-      hits.distance.at(x, y) = hit->t;
+      hits.distance.at(x, y) = static_cast<float>(hit->t);
     }
   });
   return hits;

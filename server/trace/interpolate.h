@@ -7,15 +7,16 @@
 
 namespace amalgam::trace {
 
-// barycentric: weights of the second and third corner.
+// barycentric: weights of the second and third corner, in the precision of what is interpolated.
 template <typename V>
-V interpolate(const V& a, const V& b, const V& c, const glm::vec2& barycentric) {
-  return a * (1.0f - barycentric.x - barycentric.y) + b * barycentric.x + c * barycentric.y;
+V interpolate(const V& a, const V& b, const V& c,
+              const glm::vec<2, typename V::value_type>& barycentric) {
+  return a * (1 - barycentric.x - barycentric.y) + b * barycentric.x + c * barycentric.y;
 }
 
 template <typename V>
 V interpolate(const std::vector<V>& values, const glm::uvec3& corners,
-              const glm::vec2& barycentric) {
+              const glm::vec<2, typename V::value_type>& barycentric) {
   return interpolate(values[corners.x], values[corners.y], values[corners.z], barycentric);
 }
 

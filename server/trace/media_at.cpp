@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "trace/surface_point.h"
+#include "trace/straight_way.h"
 
 namespace amalgam::trace {
 namespace {
@@ -12,25 +12,23 @@ namespace {
 // Materials that the way leaves without having entered them, innermost first.
 std::vector<std::uint32_t> materials_left(const EmbreeScene& scene, const glm::vec3& point,
                                           const glm::vec3& direction) {
-  constexpr int kMaxSurfaces = 256;  // a bound against meshes that never end
   std::vector<std::uint32_t> entered, left;
-  Ray ray{point, direction, std::numeric_limits<float>::infinity()};
-  for (int surfaces = 0; surfaces < kMaxSurfaces; ++surfaces) {
-    const auto hit = scene.intersect(ray, Visible::Everything);
-    if (!hit) break;
-    const SurfacePoint met = surface_point(scene, *hit, direction);
-    ray.origin = met.ray_origin_on_line(direction);
+  const Ray ray{point, direction, std::numeric_limits<float>::infinity()};
+  walk_straight(scene, ray, Visible::Everything, [&](const SurfacePoint& met, double) {
     const scene::Material& material = scene.scene().materials[met.material];
-    if (material.kind != scene::MaterialKind::Dielectric || material.thin) continue;
+    const bool solid = material.kind == scene::MaterialKind::Dielectric && !material.thin;
     const auto found = std::find(entered.begin(), entered.end(), met.material);
-    if (met.front) {
+    if (!solid) {
+      // No medium begins or ends there.
+    } else if (met.front) {
       entered.push_back(met.material);
     } else if (found != entered.end()) {
       entered.erase(found);
     } else {
       left.push_back(met.material);
     }
-  }
+    return std::optional(Visible::Everything);
+  });
   return left;
 }
 

@@ -16,24 +16,24 @@
 
 namespace amalgam::trace {
 
-inline constexpr float kOffsetUnits = 32.0f;
+inline constexpr double kOffsetUnits = 32.0;
 
 // largest_coordinate: of all that the point was computed from, metres.
-inline float offset_height(float largest_coordinate) {
+inline double offset_height(double largest_coordinate) {
   return kOffsetUnits / (1 << 23) * largest_coordinate;
 }
 
 // p: a point on the surface. normal: the geometric one, unit, either side. The origin lies on the
 // side that the ray leaves to.
-inline glm::vec3 offset_from_surface(const glm::vec3& p, const glm::vec3& normal,
-                                     const glm::vec3& direction, float height) {
-  return p + (glm::dot(normal, direction) < 0.0f ? -height : height) * normal;
+inline glm::dvec3 offset_from_surface(const glm::dvec3& p, const glm::dvec3& normal,
+                                      const glm::dvec3& direction, double height) {
+  return p + (glm::dot(normal, direction) < 0.0 ? -height : height) * normal;
 }
 
 // The same height above the surface, reached along the ray.
-inline glm::vec3 offset_along_ray(const glm::vec3& p, const glm::vec3& normal,
-                                  const glm::vec3& direction, float height) {
-  constexpr float kMostGrazing = 1e-3f;  // flatter rays stay within the height for long anyway
+inline glm::dvec3 offset_along_ray(const glm::dvec3& p, const glm::dvec3& normal,
+                                   const glm::dvec3& direction, double height) {
+  constexpr double kMostGrazing = 1e-3;  // flatter rays stay within the height for long anyway
   return p + direction * (height / glm::max(glm::abs(glm::dot(normal, direction)), kMostGrazing));
 }
 

@@ -14,19 +14,20 @@ namespace amalgam::trace {
 struct SurfacePoint {
   // Where a ray in this direction may start without meeting this surface again
   // (trace/ray_offset.h).
-  glm::vec3 ray_origin(const glm::vec3& direction) const {
-    return offset_from_surface(position, geometric_normal, direction, offset);
+  glm::vec3 ray_origin(const glm::dvec3& direction) const {
+    return glm::vec3(offset_from_surface(inside, geometric_normal, direction, offset));
   }
-  glm::vec3 ray_origin_on_line(const glm::vec3& direction) const {
-    return offset_along_ray(position, geometric_normal, direction, offset);
+  glm::vec3 ray_origin_on_line(const glm::dvec3& direction) const {
+    return glm::vec3(offset_along_ray(inside, geometric_normal, direction, offset));
   }
 
-  glm::vec3 position{
-      0.0f};            // world, from barycentric coordinates and not from o + t d (numerics B1)
-  float offset = 0.0f;  // height above the surface that rays start at, metres
-  glm::vec3 geometric_normal{0.0f};  // unit, on the side that the ray came from
-  glm::vec3 shading_normal{
-      0.0f};                   // unit, interpolated; turned over together with the geometric one
+  // World, from barycentric coordinates and not from o + t d (numerics B1).
+  glm::dvec3 position{0.0};
+  glm::dvec3 inside{0.0};            // the same a little away from the triangle's edges
+  double offset = 0.0;               // height above the surface that rays start at, metres
+  glm::dvec3 geometric_normal{0.0};  // unit, on the side that the ray came from
+  glm::dvec3 shading_normal{
+      0.0};                    // unit, interpolated; turned over together with the geometric one
   glm::vec4 base_color{1.0f};  // linear; alpha
   glm::vec3 emission{0.0f};    // scene-linear radiance
   float metallic = 0.0f, roughness = 1.0f;
@@ -36,22 +37,14 @@ struct SurfacePoint {
   bool front = true;  // the ray came from the outer side (counter-clockwise corners)
 };
 
-// The same hit with barycentric coordinates and t of the line through start, in double. Rays are
-// traced from a little off the surface that they leave; what they meet is sure then, but where they
-// meet it is off by what the geometry magnifies that offset to.
-Hit hit_on_line(const EmbreeScene& scene, const Hit& hit, const glm::vec3& start,
-                const glm::vec3& direction);
-
 // direction: the ray's, unit. cone_width: metres across the ray's cone at the hit, which decides on
 // the textures' level of detail (scene/texture_lookup.h); 0: the finest.
-SurfacePoint surface_point(const EmbreeScene& scene, const Hit& hit, const glm::vec3& direction,
-                           float cone_width = 0.0f);
+SurfacePoint surface_point(const EmbreeScene& scene, const Hit& hit, const glm::dvec3& direction,
+                           double cone_width = 0.0);
 
-// Too rough for a mirror image, by glTF's roughness there; the loader draws the same line between
-// mirrors and other metals.
+// Too rough for a mirror image.
 inline bool is_rough(const SurfacePoint& point) {
-  constexpr float kSmooth = 0.2f;
-  return point.roughness > kSmooth;
+  return point.roughness > scene::kSmoothRoughness;
 }
 
 // What a diffuse surface does at the point, or what glass does with the light that it does not let
@@ -62,7 +55,7 @@ scene::PhongTerms phong_terms_at(const SurfacePoint& point, scene::MaterialKind 
 // angle at least (numerics B10: Keller's method with the threshold of Cycles'
 // ensure_valid_specular_reflection). view: unit, towards the ray's origin, above the geometric
 // surface.
-glm::vec3 valid_shading_normal(const glm::vec3& geometric_normal, const glm::vec3& shading_normal,
-                               const glm::vec3& view);
+glm::dvec3 valid_shading_normal(const glm::dvec3& geometric_normal,
+                                const glm::dvec3& shading_normal, const glm::dvec3& view);
 
 }  // namespace amalgam::trace

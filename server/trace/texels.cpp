@@ -56,23 +56,23 @@ float Texels::transmission() const {
   return material_.transmission * sample(TextureSlot::Transmission).r;
 }
 
-glm::vec3 Texels::bent_normal(const glm::vec3& normal, const PlacedInstance& placed) const {
+glm::dvec3 Texels::bent_normal(const glm::dvec3& normal, const PlacedInstance& placed) const {
   if (!has(TextureSlot::Normal) || mesh_.tangents.empty()) return normal;
   const glm::vec4 tangent = interpolate(mesh_.tangents, corners_, barycentric_);
-  const glm::mat3 linear(placed.world_from_mesh);
-  const glm::vec3 along = linear * glm::vec3(tangent);
-  const glm::vec3 flat = along - glm::dot(along, normal) * normal;
-  const float length = glm::length(flat);
-  if (!(length > 1e-6f * glm::length(along))) return normal;
-  const glm::vec3 x = flat / length;
+  const glm::dmat3 linear(placed.world_from_mesh);
+  const glm::dvec3 along = linear * glm::dvec3(tangent);
+  const glm::dvec3 flat = along - glm::dot(along, normal) * normal;
+  const double length = glm::length(flat);
+  if (!(length > 1e-6 * glm::length(along))) return normal;
+  const glm::dvec3 x = flat / length;
   // Mirroring turns the normal outside again, and with it the cross product round.
-  const float mirrored = glm::determinant(linear) < 0.0f ? -1.0f : 1.0f;
-  const glm::vec3 y = glm::cross(normal, x) * (tangent.w < 0.0f ? -mirrored : mirrored);
-  const glm::vec3 texel = 2.0f * glm::vec3(sample(TextureSlot::Normal)) - 1.0f;
-  const glm::vec3 bent = texel.x * material_.normal_scale * x +
-                         texel.y * material_.normal_scale * y + texel.z * normal;
-  const float bent_length = glm::length(bent);
-  return bent_length > 0.0f ? bent / bent_length : normal;
+  const double mirrored = glm::determinant(linear) < 0.0 ? -1.0 : 1.0;
+  const glm::dvec3 y = glm::cross(normal, x) * (tangent.w < 0.0f ? -mirrored : mirrored);
+  const glm::dvec3 texel = 2.0 * glm::dvec3(sample(TextureSlot::Normal)) - 1.0;
+  const double scale = material_.normal_scale;
+  const glm::dvec3 bent = texel.x * scale * x + texel.y * scale * y + texel.z * normal;
+  const double bent_length = glm::length(bent);
+  return bent_length > 0.0 ? bent / bent_length : normal;
 }
 
 }  // namespace amalgam::trace

@@ -29,7 +29,7 @@ class Texels {
 
   // normal: the interpolated one, unit, in the world and outside. Unit again; bent by the normal
   // texture if there is one and the mesh has a tangent there.
-  glm::vec3 bent_normal(const glm::vec3& normal, const PlacedInstance& placed) const;
+  glm::dvec3 bent_normal(const glm::dvec3& normal, const PlacedInstance& placed) const;
 
  private:
   bool has(scene::TextureSlot slot) const { return scene::has_texture(material_, mesh_, slot); }

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/pose.h"
+#include "trace/hit_on_line.h"
 #include "trace/shade.h"
 #include "trace/shadow.h"
 
@@ -53,7 +54,7 @@ void Tile::generate_primary_rays() {
   const int n = request_.samples_per_side;
   const glm::dmat4 world_from_camera = core::rigid_inverse(request_.camera_from_world);
   const glm::dmat3 rotation(world_from_camera);
-  const glm::vec3 origin(world_from_camera[3]);
+  const glm::dvec3 eye(world_from_camera[3]);
   const int right = std::min(x_ + kTileSide, request_.camera.width);
   const int bottom = std::min(y_ + kTileSide, request_.camera.height);
   for (int y = y_; y < bottom; ++y) {
@@ -71,8 +72,9 @@ void Tile::generate_primary_rays() {
         const glm::dvec3 direction(
             glm::normalize(rotation * *core::pixel_direction(request_.camera, pixel)));
         RayItem item;
-        item.ray = {origin, glm::vec3(direction), kInfinity};
-        item.start = origin;
+        item.start = eye;
+        item.direction = direction;
+        item.ray = {glm::vec3(eye), glm::vec3(direction), kInfinity};
         item.media = camera_media_;
         item.sample = static_cast<std::uint32_t>(samples_.size());
         waiting_.push_back(item);
@@ -112,8 +114,8 @@ void Tile::intersect_rays() {
     }
     hits_.push_back(request_.scene.intersect(item.ray, Visible::Everything));
     if (hits_.back()) {
-      hits_.back()->t += glm::distance(item.start, item.ray.origin);
-      hits_.back() = hit_on_line(request_.scene, *hits_.back(), item.start, item.ray.direction);
+      hits_.back()->t += glm::distance(item.start, glm::dvec3(item.ray.origin));
+      hits_.back() = hit_on_line(request_.scene, *hits_.back(), item.start, item.direction);
     }
   }
 }
@@ -126,13 +128,11 @@ void Tile::shade_hits() {
       // Seen directly, nothing is there to draw: the camera image stays.
       if (item.kind != RayKind::Primary)
         escaped_.push_back(
-            {core::LightSource::Environment, item.ray.direction, item.weight, item.sample});
+            {core::LightSource::Environment, glm::vec3(item.direction), item.weight, item.sample});
       continue;
     }
-    const float cone_width =
-        static_cast<float>(sample_spread(request_)) * (item.path_length + hits_[i]->t);
-    const SurfacePoint point =
-        surface_point(request_.scene, *hits_[i], item.ray.direction, cone_width);
+    const double cone_width = sample_spread(request_) * (item.path_length + hits_[i]->t);
+    const SurfacePoint point = surface_point(request_.scene, *hits_[i], item.direction, cone_width);
     const scene::Material& material = request_.scene.scene().materials[point.material];
     if (material.alpha_cutoff && point.base_color.w < *material.alpha_cutoff) {
       pass_straight(item, point);
@@ -140,7 +140,8 @@ void Tile::shade_hits() {
     }
     glm::vec3 weight = item.weight;
     if (const auto medium = item.media.innermost()) {  // Beer-Lambert on the way here
-      weight *= glm::exp(-request_.scene.scene().materials[*medium].absorption * hits_[i]->t);
+      weight *= glm::exp(-request_.scene.scene().materials[*medium].absorption *
+                         static_cast<float>(hits_[i]->t));
     }
     if (item.kind == RayKind::Primary) count_primary(point, material);
     if (point.role == scene::Role::Virtual) samples_[item.sample].met_virtual = true;
@@ -151,7 +152,7 @@ void Tile::shade_hits() {
       if (primary) sees_real_diffuse_[item.sample] = point.role == scene::Role::Real;
       // Seen directly it is as the rasteriser draws it, which knows no media.
       const glm::vec3& arriving = primary ? item.weight : weight;
-      diffuse_.push_back({point, -item.ray.direction, arriving, item.sample,
+      diffuse_.push_back({point, -glm::vec3(item.direction), arriving, item.sample,
                           primary ? RealColor::UnderPixel : RealColor::LookedUp});
     }
   }
@@ -165,11 +166,10 @@ void Tile::count_primary(const SurfacePoint& point, const scene::Material& mater
 // Mirror and glass: the reflected and the refracted child (eq. 4.7, 4.8).
 void Tile::scatter(const RayItem& item, const SurfacePoint& point, const glm::vec3& weight) {
   const scene::Material& material = request_.scene.scene().materials[point.material];
-  const glm::dvec3 direction(item.ray.direction);
-  const glm::dvec3 normal(
-      valid_shading_normal(point.geometric_normal, point.shading_normal, -item.ray.direction));
-  const double cos_incident = std::clamp(-glm::dot(direction, normal), 0.0, 1.0);
-  const glm::vec3 reflected(glm::normalize(reflect(direction, normal)));
+  const glm::dvec3 normal =
+      valid_shading_normal(point.geometric_normal, point.shading_normal, -item.direction);
+  const double cos_incident = std::clamp(-glm::dot(item.direction, normal), 0.0, 1.0);
+  const glm::dvec3 reflected = glm::normalize(reflect(item.direction, normal));
   const glm::vec3 glow = weight * point.emission;
   samples_[item.sample].mixed += glow;
   if (point.role == scene::Role::Real) samples_[item.sample].real += glow;
@@ -188,7 +188,7 @@ void Tile::scatter(const RayItem& item, const SurfacePoint& point, const glm::ve
     const auto k_s = static_cast<float>(
         thin_sheet_reflectance(reflectance(request_.settings.fresnel, cos_incident, 1.0, ior)));
     spawn(item, point, reflected, weight * k_s * mirror_share, RayKind::Reflection, item.media);
-    spawn(item, point, item.ray.direction, weight * tint * (1.0f - k_s), RayKind::Refraction,
+    spawn(item, point, item.direction, weight * tint * (1.0f - k_s), RayKind::Refraction,
           item.media);
     scatter_back(item, point, weight * scattered(k_s));
     return;
@@ -205,14 +205,13 @@ void Tile::scatter(const RayItem& item, const SurfacePoint& point, const glm::ve
   const double eta_here =
       !point.front && !item.media.innermost() ? material.ior : ior_of(item.media);
   const double eta_beyond = ior_of(beyond);
-  const auto refracted = refract(direction, normal, eta_here, eta_beyond);
+  const auto refracted = refract(item.direction, normal, eta_here, eta_beyond);
   const auto k_s = refracted ? static_cast<float>(reflectance(request_.settings.fresnel,
                                                               cos_incident, eta_here, eta_beyond))
                              : 1.0f;
   spawn(item, point, reflected, weight * k_s * mirror_share, RayKind::Reflection, item.media);
   if (refracted) {
-    spawn(item, point, glm::vec3(*refracted), weight * tint * (1.0f - k_s), RayKind::Refraction,
-          beyond);
+    spawn(item, point, *refracted, weight * tint * (1.0f - k_s), RayKind::Refraction, beyond);
   }
   scatter_back(item, point, weight * scattered(k_s));
 }
@@ -223,30 +222,32 @@ void Tile::scatter(const RayItem& item, const SurfacePoint& point, const glm::ve
 void Tile::scatter_back(const RayItem& item, const SurfacePoint& point, const glm::vec3& weight) {
   const glm::vec3 scattered = (1.0f - point.transmission) * weight;
   if (!(importance(scattered) > 0.0f)) return;
-  diffuse_.push_back({point, -item.ray.direction, scattered, item.sample, RealColor::Modelled});
+  diffuse_.push_back(
+      {point, -glm::vec3(item.direction), scattered, item.sample, RealColor::Modelled});
 }
 
 // Masked-out texels are not there. No surface was met, so the line goes on from where it started,
 // with its depth and weight; each step moves on along it, so this ends.
 void Tile::pass_straight(const RayItem& item, const SurfacePoint& point) {
   RayItem next = item;
-  next.ray.origin = point.ray_origin(item.ray.direction);
+  next.ray.origin = point.ray_origin(item.direction);
   waiting_.push_back(next);
 }
 
 // A child ray, or its end: beyond the depth limit or below the importance cut-off it takes the
 // environment.
-void Tile::spawn(const RayItem& parent, const SurfacePoint& point, const glm::vec3& direction,
+void Tile::spawn(const RayItem& parent, const SurfacePoint& point, const glm::dvec3& direction,
                  const glm::vec3& weight, RayKind kind, const Media& media) {
   if (!(importance(weight) > 0.0f)) return;
   const bool deep = parent.depth + 1 > request_.settings.max_depth;
   if (deep || importance(weight) < request_.settings.importance_cutoff) {
-    escaped_.push_back({core::LightSource::CutOff, direction, weight, parent.sample});
+    escaped_.push_back({core::LightSource::CutOff, glm::vec3(direction), weight, parent.sample});
     return;
   }
   RayItem child;
-  child.ray = {point.ray_origin(direction), direction, kInfinity};
   child.start = point.position;
+  child.direction = direction;
+  child.ray = {point.ray_origin(direction), glm::vec3(direction), kInfinity};
   child.weight = weight;
   child.media = media;
   child.path_length = parent.path_length + glm::distance(point.position, parent.start);
@@ -282,10 +283,11 @@ void Tile::spawn_shadow_rays() {
     if (!scene::is_specular(material.kind))
       radiance_[d] = {item.point.emission, item.point.emission};
     for (const scene::Light& light : request_.lights) {
-      const scene::LightArrival arrival = scene::light_arrival(light, item.point.position);
+      const scene::LightArrival arrival =
+          scene::light_arrival(light, glm::vec3(item.point.position));
       const glm::vec3 contribution = phong_contribution(terms, item.point, item.view, arrival);
       if (contribution == glm::vec3(0.0f)) continue;
-      const glm::vec3 origin = item.point.ray_origin_on_line(arrival.to_light);
+      const glm::vec3 origin = item.point.ray_origin_on_line(glm::dvec3(arrival.to_light));
       shadows_.push_back({{origin, arrival.to_light, arrival.distance}, contribution, d});
     }
   }

@@ -50,7 +50,7 @@ class Tile {
   void scatter(const RayItem& item, const SurfacePoint& point, const glm::vec3& weight);
   void scatter_back(const RayItem& item, const SurfacePoint& point, const glm::vec3& weight);
   void pass_straight(const RayItem& item, const SurfacePoint& point);
-  void spawn(const RayItem& parent, const SurfacePoint& point, const glm::vec3& direction,
+  void spawn(const RayItem& parent, const SurfacePoint& point, const glm::dvec3& direction,
              const glm::vec3& weight, RayKind kind, const Media& media);
   void add_real_surface(const DiffuseItem& item, const DiffuseRadiance& radiance);
 

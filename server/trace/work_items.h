@@ -20,13 +20,16 @@ enum class RayKind : std::uint8_t { Primary, Reflection, Refraction };
 
 // A ray on its way, with its share of the sample (Listing 4.1's payload, for work lists).
 struct RayItem {
+  // The line itself, from the surface that it leaves.
+  glm::dvec3 start{0.0};
+  glm::dvec3 direction{0.0};  // unit
+  // What Embree is asked: from a little off that surface, or from behind what the line passed
+  // because it is masked out.
   Ray ray;
-  glm::vec3 start{0.0f};  // where the line begins: on the surface; ray.origin lies a little off it,
-                          // or behind what the line passed because it is masked out
   glm::vec3 weight{
       1.0f};    // product of the k_s and k_t so far; its largest channel is the importance
   Media media;  // the dielectrics that the ray is inside of
-  float path_length = 0.0f;  // metres from the camera to start: how wide the ray's cone is
+  double path_length = 0.0;  // metres from the camera to start: how wide the ray's cone is
   std::uint32_t sample = 0;
   std::uint16_t depth = 0;  // specular surfaces met so far
   RayKind kind = RayKind::Primary;

@@ -34,7 +34,7 @@ class CameraLookupTest : public testing::Test {
     }
     embree.place(anchored);
     SurfacePoint point;
-    point.position = position;
+    point.position = point.inside = position;
     point.geometric_normal = normal;
     point.offset = offset_height(5.0f);  // the wall's
     return CameraLookup(view_).look_up(embree, point, lookup_rays_);

@@ -29,7 +29,7 @@ TEST(EmbreeScene, MeetsTheNearestAndTellsRealFromVirtual) {
   const auto first = embree.intersect(down, Visible::Everything);
   ASSERT_TRUE(first);
   EXPECT_EQ(first->instance, 1u);
-  EXPECT_FLOAT_EQ(first->t, 2.0f);
+  EXPECT_NEAR(first->t, 2.0, 1e-6);
   const auto real = embree.intersect(down, Visible::Real);
   ASSERT_TRUE(real);
   EXPECT_EQ(real->instance, 0u);
@@ -51,7 +51,7 @@ TEST(EmbreeScene, MovesOnlyWhatMoved) {
   embree.place(anchored);
   const auto hit = embree.intersect({{0, 2, 0}, {0, -1, 0}, kInfinity}, Visible::Everything);
   ASSERT_TRUE(hit);
-  EXPECT_FLOAT_EQ(hit->t, 1.5f);
+  EXPECT_NEAR(hit->t, 1.5, 1e-6);
   anchored.instances.clear();
   embree.place(anchored);
   EXPECT_FALSE(embree.intersect({{0, 2, 0}, {0, -1, 0}, kInfinity}, Visible::Everything));

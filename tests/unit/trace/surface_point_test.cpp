@@ -28,9 +28,10 @@ TEST(SurfacePoint, NormalsFaceTheRayAndFrontIsOutside) {
     ASSERT_TRUE(hit);
     const SurfacePoint point = surface_point(embree, *hit, direction);
     EXPECT_EQ(point.front, side > 0.0f);
-    EXPECT_FLOAT_EQ(point.geometric_normal.y, side);
-    EXPECT_FLOAT_EQ(point.shading_normal.y, side);
-    EXPECT_NEAR(glm::distance(point.position, glm::vec3(0.2f, 0.0f, 0.3f)), 0.0f, 1e-6f);
+    EXPECT_EQ(point.geometric_normal, glm::dvec3(0, side, 0));
+    EXPECT_EQ(point.shading_normal, glm::dvec3(0, side, 0));
+    EXPECT_NEAR(glm::distance(point.position, glm::dvec3(0.2, 0.0, 0.3)), 0.0, 1e-6);
+    EXPECT_NEAR(glm::distance(point.inside, point.position), 0.0, 2e-6);
   }
 }
 
@@ -51,35 +52,35 @@ TEST(SurfacePoint, MirroredAndStretchedInstancesKeepTheirOutside) {
   const SurfacePoint point = surface_point(embree, *hit, direction);
   EXPECT_TRUE(point.front);
   // Gradient of (x/2)^2 + (y/0.5)^2 + z^2.
-  const glm::vec3 p = point.position;
-  const glm::vec3 expected = glm::normalize(glm::vec3(p.x / 4.0f, p.y / 0.25f, p.z));
-  EXPECT_GT(glm::dot(point.shading_normal, expected), 0.999f);
+  const glm::dvec3 p = point.position;
+  const glm::dvec3 expected = glm::normalize(glm::dvec3(p.x / 4.0, p.y / 0.25, p.z));
+  EXPECT_GT(glm::dot(point.shading_normal, expected), 0.999);
 }
 
 // numerics B10: for any view above the surface the reflection ends above it too.
 TEST(ValidShadingNormal, KeepsReflectionsAboveTheSurface) {
   std::mt19937 random(3);
-  std::normal_distribution<float> normal;
+  std::normal_distribution<double> normal;
   const auto direction = [&] {
-    return glm::normalize(glm::vec3(normal(random), normal(random), normal(random)));
+    return glm::normalize(glm::dvec3(normal(random), normal(random), normal(random)));
   };
   for (int i = 0; i < 100000; ++i) {
-    const glm::vec3 geometric = direction();
-    glm::vec3 view = direction(), shading = direction();
-    if (glm::dot(view, geometric) < 0.0f) view = -view;
-    if (glm::dot(view, geometric) < 1e-4f) continue;
-    if (glm::dot(shading, geometric) < 0.0f) shading = -shading;
-    const glm::vec3 bent = valid_shading_normal(geometric, shading, view);
-    ASSERT_NEAR(glm::length(bent), 1.0f, 1e-4f);
-    ASSERT_GT(glm::dot(bent, view), 0.0f);
-    const glm::vec3 reflected = 2.0f * glm::dot(bent, view) * bent - view;
-    ASSERT_GT(glm::dot(reflected, geometric), 0.0f)
+    const glm::dvec3 geometric = direction();
+    glm::dvec3 view = direction(), shading = direction();
+    if (glm::dot(view, geometric) < 0.0) view = -view;
+    if (glm::dot(view, geometric) < 1e-6) continue;
+    if (glm::dot(shading, geometric) < 0.0) shading = -shading;
+    const glm::dvec3 bent = valid_shading_normal(geometric, shading, view);
+    ASSERT_NEAR(glm::length(bent), 1.0, 1e-9);
+    ASSERT_GT(glm::dot(bent, view), 0.0);
+    const glm::dvec3 reflected = 2.0 * glm::dot(bent, view) * bent - view;
+    ASSERT_GT(glm::dot(reflected, geometric), 0.0)
         << glm::dot(view, geometric) << " " << glm::dot(shading, view);
   }
 }
 
 TEST(ValidShadingNormal, LeavesGoodNormalsAlone) {
-  const glm::vec3 shading = glm::normalize(glm::vec3(0.1f, 1.0f, 0.0f));
+  const glm::dvec3 shading = glm::normalize(glm::dvec3(0.1, 1.0, 0.0));
   EXPECT_EQ(valid_shading_normal({0, 1, 0}, shading, {0, 1, 0}), shading);
 }
 

@@ -1,0 +1,75 @@
+#include "trace/hit_on_line.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <optional>
+
+namespace amalgam::trace {
+namespace {
+
+// The line's point in the triangle's plane; Möller and Trumbore 1997.
+Hit in_plane_of(const EmbreeScene& scene, const Hit& hit, const glm::dvec3& start,
+                const glm::dvec3& direction) {
+  const scene::Mesh& mesh = scene.scene().meshes[scene.scene().instances[hit.instance].mesh];
+  const glm::dmat4& world_from_mesh = scene.placed(hit.instance).world_from_mesh;
+  const glm::uvec3 corners = mesh.triangles[hit.triangle];
+  const auto corner = [&](std::uint32_t index) {
+    return glm::dvec3(world_from_mesh * glm::dvec4(mesh.positions[index], 1.0));
+  };
+  const glm::dvec3 a = corner(corners.x);
+  const glm::dvec3 edge_u = corner(corners.y) - a, edge_v = corner(corners.z) - a;
+  const glm::dvec3 from_a = start - a;
+  const glm::dvec3 p = glm::cross(direction, edge_v), q = glm::cross(from_a, edge_u);
+  const double scale = glm::dot(edge_u, p);
+  return {hit.instance,
+          hit.triangle,
+          {glm::dot(from_a, p) / scale, glm::dot(direction, q) / scale},
+          glm::dot(edge_v, q) / scale};
+}
+
+bool is_finite(const Hit& hit) {
+  return std::isfinite(hit.barycentric.x) && std::isfinite(hit.barycentric.y) &&
+         std::isfinite(hit.t);
+}
+
+// By how much the point lies beside the triangle, in barycentric coordinates.
+double beside(const Hit& hit) {
+  const glm::dvec2& b = hit.barycentric;
+  return std::max(-b.x, std::max(-b.y, b.x + b.y - 1.0));
+}
+
+// What lies there if another ray looks from nearby, where float is finer and nothing has to be
+// left.
+std::optional<Hit> look_again(const EmbreeScene& scene, const Hit& near, const glm::dvec3& start,
+                              const glm::dvec3& direction) {
+  constexpr double kBack = 1e-3;
+  const double t = near.t * (1.0 - kBack);
+  const Ray ray{glm::vec3(start + t * direction), glm::vec3(direction),
+                static_cast<float>(2.0 * kBack * near.t)};
+  const auto met = scene.intersect(ray, Visible::Everything);
+  if (!met) return std::nullopt;
+  return in_plane_of(scene, *met, start, direction);
+}
+
+Hit nearest_edge(Hit hit) {
+  const glm::dvec2 inside = glm::max(hit.barycentric, glm::dvec2(0.0));
+  hit.barycentric = inside / std::max(1.0, inside.x + inside.y);
+  return hit;
+}
+
+}  // namespace
+
+Hit hit_on_line(const EmbreeScene& scene, const Hit& traced, const glm::dvec3& start,
+                const glm::dvec3& direction) {
+  const Hit hit = in_plane_of(scene, traced, start, direction);
+  constexpr double kFar = 0.01;
+  if (!is_finite(hit) || !(hit.t > 0.0) || beside(hit) >= kFar) return traced;
+  if (beside(hit) <= 0.0) return hit;
+  const auto other = look_again(scene, hit, start, direction);
+  if (other && beside(*other) <= 0.0 && other->t > 0.0) return *other;
+  return nearest_edge(hit);
+}
+
+}  // namespace amalgam::trace
