@@ -66,6 +66,14 @@ struct ClosedFormRig {
   }
 };
 
+// Of one texel; returns its index.
+inline std::uint32_t add_texture(scene::Scene& scene, const core::Rgba8& texel) {
+  scene::Texture texture;
+  texture.texels = core::ImageRgba8(1, 1, texel);
+  scene.textures.push_back(std::move(texture));
+  return static_cast<std::uint32_t>(scene.textures.size() - 1);
+}
+
 // A quad that shines with this radiance and reflects nothing.
 inline scene::Material make_lamp(const glm::vec3& radiance = glm::vec3(1.0f)) {
   scene::Material material = test_support::make_diffuse(glm::vec3(0.0f));

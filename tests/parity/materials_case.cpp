@@ -140,6 +140,22 @@ void add_specular_objects(scene::Scene& scene, const Textures& textures) {
   add_object(scene, make_quad({-0.1f, 0.03f, 0.05f}, {0.02f, 0.0f, -0.01f}, {0.0f, 0.025f, 0.0f}),
              frosted, Role::Real);
 
+  // Opaque in parts. Roughness counts there: all over the block (0.24 to 0.6), here and there on
+  // the sheet (0.14 to 0.35).
+  scene::Material etched = make_glass(1.5f, {4.0f, 2.0f, 1.0f});
+  etched.base_color = {0.95f, 0.8f, 0.6f, 1.0f};
+  etched.transmission_texture = textures.frost;
+  etched.metallic = 0.5f;
+  etched.roughness = 0.6f;
+  etched.metallic_roughness_texture = textures.metal;
+  add_object(scene, make_box({-0.085f, 0.035f, -0.09f}, {-0.055f, 0.07f, -0.075f}), etched,
+             Role::Virtual);
+  etched.thin = true;
+  etched.transmission = 0.8f;
+  etched.roughness = 0.35f;
+  add_object(scene, make_quad({0.05f, 0.015f, 0.07f}, {0.025f, 0.0f, -0.005f}, {0.0f, 0.02f, 0.0f}),
+             etched, Role::Real);
+
   scene::Material milky = make_glass(1.4f, {3.0f, 1.0f, 2.0f});
   milky.transmission = 0.6f;
   milky.normal_texture = textures.dents;

@@ -21,13 +21,6 @@ using test_support::make_sun;
 const Vec3 kEye(0.1, 2.0, 0.23);
 const Vec3 kDown(0.0, -1.0, 0.0);
 
-std::uint32_t add_texture(scene::Scene& scene, const core::Rgba8& texel) {
-  scene::Texture texture;
-  texture.texels = core::ImageRgba8(1, 1, texel);
-  scene.textures.push_back(std::move(texture));
-  return static_cast<std::uint32_t>(scene.textures.size() - 1);
-}
-
 // Roughness 1 scatters the specular part as evenly as the diffuse one.
 Color radiance_of_rough(const Color& base_color, double irradiance) {
   return irradiance / kPi * (0.96 * base_color + 0.04);

@@ -115,17 +115,6 @@ void Whitted::add_diffuse(const Branch& branch, const Surface& surface, Collecto
   to.sample.real += w * (f * l + (1.0 - f) * r);
 }
 
-// What glass neither reflects nor lets through comes back from its surface, Lambertian. As it is
-// modelled: what the camera sees there is mostly not this.
-void Whitted::add_scattered(const Branch& branch, const Surface& surface, double not_reflected,
-                            Collector& to) const {
-  const double share = not_reflected * (1.0 - surface.material.transmission);
-  if (share == 0.0) return;
-  const auto [m, r] = illuminate(lambertian(surface.base_color()), branch, surface, to);
-  to.sample.mixed += share * branch.weight * m;
-  if (surface.object.role == scene::Role::Real) to.sample.real += share * branch.weight * r;
-}
-
 Whitted::Shaded Whitted::illuminate(const Phong& phong, const Branch& branch,
                                     const Surface& surface, Collector& to) const {
   Shaded result{Color(0.0), Color(0.0)};
@@ -158,40 +147,6 @@ void Whitted::meet_mirror(const Branch& branch, const Surface& surface, Collecto
   const double cosine = std::min(1.0, glm::dot(normal, surface.to_viewer));
   const Vec3 direction = reflect(branch.ray.direction, normal);
   spawn(child_of(branch, surface, direction, schlick(surface.base_color(), cosine)), to);
-}
-
-void Whitted::meet_thin_glass(const Branch& branch, const Surface& surface, Collector& to) const {
-  const Vec3 normal = mirror_normal(surface);
-  const double cosine = std::min(1.0, glm::dot(normal, surface.to_viewer));
-  const double ior = static_cast<double>(surface.object.material.ior);
-  const double k_s = thin_reflectance(reflectance(in_.settings.fresnel, 1.0, ior, cosine));
-  const Color passing = (1.0 - k_s) * surface.material.transmission * surface.base_color();
-  spawn(child_of(branch, surface, reflect(branch.ray.direction, normal), Color(k_s)), to);
-  spawn(child_of(branch, surface, branch.ray.direction, passing), to);
-  add_scattered(branch, surface, 1.0 - k_s, to);
-}
-
-void Whitted::meet_glass(const Branch& branch, const Surface& surface, Collector& to) const {
-  const bool entering = is_front(branch.ray, surface.hit);
-  const MediaStack beyond =
-      entering ? branch.media.entered(surface.object) : branch.media.left(surface.object);
-  // A back face without a way in: the ray started inside.
-  const bool started_inside = !entering && branch.media.empty();
-  const double n1 = started_inside ? static_cast<double>(surface.object.material.ior)
-                                   : refractive_index(branch.media.innermost());
-  const double n2 = refractive_index(beyond.innermost());
-
-  const Vec3 normal = mirror_normal(surface);
-  const double cosine = std::min(1.0, glm::dot(normal, surface.to_viewer));
-  const auto refracted_direction = refract(branch.ray.direction, normal, n1, n2);
-  const double k_s = refracted_direction ? reflectance(in_.settings.fresnel, n1, n2, cosine) : 1.0;
-  spawn(child_of(branch, surface, reflect(branch.ray.direction, normal), Color(k_s)), to);
-  if (!refracted_direction) return;
-  const Color passing = (1.0 - k_s) * surface.material.transmission * surface.base_color();
-  Branch refracted = child_of(branch, surface, *refracted_direction, passing);
-  refracted.media = beyond;
-  spawn(refracted, to);
-  add_scattered(branch, surface, 1.0 - k_s, to);
 }
 
 Whitted::Branch Whitted::child_of(const Branch& parent, const Surface& surface,

@@ -81,14 +81,16 @@ class Whitted {
   void spawn(const Branch& child, Collector& to) const;
   void add_environment(const Branch& branch, Collector& to) const;
   void add_diffuse(const Branch& branch, const Surface& surface, Collector& to) const;
-  void add_scattered(const Branch& branch, const Surface& surface, double not_reflected,
-                     Collector& to) const;
   // The surface's light from all lights. The branch's weight says whether a light matters at all.
   Shaded illuminate(const Phong& phong, const Branch& branch, const Surface& surface,
                     Collector& to) const;
   void meet_mirror(const Branch& branch, const Surface& surface, Collector& to) const;
+  // These are in whitted_glass.cpp. share: of the light that phong sends back.
   void meet_thin_glass(const Branch& branch, const Surface& surface, Collector& to) const;
   void meet_glass(const Branch& branch, const Surface& surface, Collector& to) const;
+  void add_scattered(const Branch& branch, const Surface& surface, double share, const Phong& phong,
+                     Collector& to) const;
+
   // The shading normal that reflections and refractions are taken at (bent_normal.h).
   static Vec3 mirror_normal(const Surface& surface);
   Branch child_of(const Branch& parent, const Surface& surface, const Vec3& direction,
