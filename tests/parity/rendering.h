@@ -13,7 +13,11 @@ struct Rendering {
 };
 
 // The case says the exposure, the samples and the Fresnel model; settings say the rest.
-Rendering render(const ParityCase& parity_case, frame::RendererSettings settings);
+Rendering render(const ParityCase& parity_case, const frame::RendererSettings& settings);
+
+// Wall-clock milliseconds from the camera's pixels to the composite's, the median of five frames
+// after the first.
+double median_frame_time(const ParityCase& parity_case, const frame::RendererSettings& settings);
 
 const char* mode_name(frame::RendererMode mode);
 

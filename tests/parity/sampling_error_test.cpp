@@ -1,4 +1,5 @@
-// What samples buy: error against rays, for fixed numbers of samples and for adaptive ones.
+// What samples buy: error against rays and time, for fixed numbers of samples and for adaptive
+// ones.
 #include <gtest/gtest.h>
 
 #include <iomanip>
@@ -17,6 +18,7 @@ struct Point {
   std::string samples;
   double error = 0.0;      // mean over the composite, 1/255
   std::uint64_t rays = 0;  // of all kinds
+  double time = 0.0;       // of a frame, milliseconds; rasterised samples cost no rays
 };
 
 std::uint64_t all_rays(const core::RayCounts& rays) {
@@ -34,7 +36,7 @@ Point measure(const std::string& samples, const ParityCase& parity_case,
   const Rendering rendering = render(parity_case, settings);
   return {samples,
           test_support::compare_images(test_support::as_floats(rendering.composite), expected).mean,
-          all_rays(rendering.statistics.rays)};
+          all_rays(rendering.statistics.rays), median_frame_time(parity_case, settings)};
 }
 
 // 1, 4, 9 and 16 samples, then adaptive.
@@ -57,12 +59,13 @@ void print(const ParityCase& parity_case, frame::RendererMode mode,
   for (const Point& point : points) {
     std::cout << std::left << std::setw(18) << parity_case.name << std::setw(10) << mode_name(mode)
               << std::setw(10) << point.samples << std::right << std::fixed << std::setprecision(4)
-              << std::setw(12) << point.error << std::setw(12) << point.rays << '\n';
+              << std::setw(12) << point.error << std::setw(12) << point.rays << std::setprecision(1)
+              << std::setw(10) << point.time << '\n';
   }
 }
 
 TEST(SamplingError, FallsWithSamplesAndAdaptivePaysLess) {
-  std::cout << "scene             renderer  samples   error 1/255        rays\n";
+  std::cout << "scene             renderer  samples   error 1/255        rays  frame ms\n";
   for (const char* scene : {"complex", "mirror"}) {
     const ParityCase parity_case = make_parity_case(scene, 160, 120);
     const core::ImageRgb32f expected = converged_composite(parity_case);
