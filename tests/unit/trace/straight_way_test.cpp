@@ -1,0 +1,91 @@
+#include "trace/straight_way.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+#include <vector>
+
+#include "unit/trace/trace_shot.h"
+
+namespace amalgam::trace {
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+std::vector<double> heights_met(const scene::Scene& scene, const Ray& ray) {
+  EmbreeScene embree(scene);
+  embree.place(anchor_all(scene));
+  std::vector<double> heights;
+  EXPECT_TRUE(
+      walk_straight(embree, ray, Visible::Everything, [&](const SurfacePoint& point, double) {
+        heights.push_back(std::round(point.position.y * 1e6) / 1e6);
+        return std::optional(Visible::Everything);
+      }));
+  return heights;
+}
+
+scene::Scene plates(float gap) {
+  scene::Scene scene;
+  for (int i = 0; i < 4; ++i) {
+    test_support::add_object(scene, test_support::make_floor(gap * static_cast<float>(i), 100.0f),
+                             test_support::make_glass(), scene::Role::Virtual);
+  }
+  return scene;
+}
+
+TEST(StraightWay, MeetsEachSurfaceOnceNearestFirst) {
+  const std::vector<double> met =
+      heights_met(plates(0.25f), {{0.1f, 5, 0.2f}, {0, -1, 0}, kInfinity});
+  EXPECT_EQ(met, (std::vector<double>{0.75, 0.5, 0.25, 0.0}));
+}
+
+// Light that grazes sheets a hundredth of a millimetre apart, 100 m wide: the offset that rays
+// start with, along the ray, would step over all of them.
+TEST(StraightWay, LeavesNoneOutWhereItGrazesThem) {
+  const glm::vec3 direction = glm::normalize(glm::vec3(1.0f, -1e-3f, 0.0f));
+  EXPECT_EQ(heights_met(plates(1e-5f), {{-10.0f, 0.01f, 0.2f}, direction, kInfinity}).size(), 4u);
+}
+
+TEST(StraightWay, EndsWithTheRay) {
+  EXPECT_EQ(heights_met(plates(0.25f), {{0.1f, 5, 0.2f}, {0, -1, 0}, 4.6f}),
+            (std::vector<double>{0.75, 0.5}));
+}
+
+TEST(StraightWay, StopsWhenToldAndLooksForWhatItIsTold) {
+  scene::Scene scene = plates(0.25f);
+  scene.instances[2].role = scene.instances[0].role = scene::Role::Real;
+  EmbreeScene embree(scene);
+  embree.place(anchor_all(scene));
+  std::vector<double> heights;
+  walk_straight(embree, {{0.1f, 5, 0.2f}, {0, -1, 0}, kInfinity}, Visible::Everything,
+                [&](const SurfacePoint& point, double t) -> std::optional<Visible> {
+                  EXPECT_NEAR(t, 5.0 - point.position.y, 1e-6);
+                  heights.push_back(std::round(point.position.y * 1e6) / 1e6);
+                  if (heights.size() == 2) return Visible::Real;
+                  return Visible::Everything;
+                });
+  EXPECT_EQ(heights, (std::vector<double>{0.75, 0.5, 0.0})) << "0.25 is virtual";
+}
+
+TEST(StraightWay, GivesUpOnTooMany) {
+  scene::Scene scene;
+  scene::Mesh stack;
+  for (int i = 0; i <= kMaxSurfacesOnWay; ++i) {
+    const scene::Mesh floor = test_support::make_floor(0.01f * static_cast<float>(i), 1.0f);
+    const auto first = static_cast<std::uint32_t>(stack.positions.size());
+    stack.positions.insert(stack.positions.end(), floor.positions.begin(), floor.positions.end());
+    stack.normals.insert(stack.normals.end(), floor.normals.begin(), floor.normals.end());
+    for (const glm::uvec3& triangle : floor.triangles) stack.triangles.push_back(first + triangle);
+  }
+  test_support::add_object(scene, stack, test_support::make_glass(), scene::Role::Virtual);
+  EmbreeScene embree(scene);
+  embree.place(anchor_all(scene));
+  const auto go_on = [](const SurfacePoint&, double) { return std::optional(Visible::Everything); };
+  EXPECT_FALSE(
+      walk_straight(embree, {{0.1f, 9, 0.2f}, {0, -1, 0}, kInfinity}, Visible::Everything, go_on));
+  EXPECT_TRUE(
+      walk_straight(embree, {{0.1f, 1, 0.2f}, {0, -1, 0}, kInfinity}, Visible::Everything, go_on));
+}
+
+}  // namespace
+}  // namespace amalgam::trace
