@@ -102,41 +102,21 @@ void compare_traced(const frame::FrameBuffers& buffers, const ReferenceImages& e
   row.worst = describe(wrong, buffers, expected);
 }
 
-int largest_step(const glm::ivec3& difference) {
-  const glm::ivec3 step = glm::abs(difference);
-  return std::max({step.r, step.g, step.b});
-}
-
 void compare_composites(const core::ImageRgb8& actual, const ReferenceImages& expected,
                         frame::RendererMode mode, ParityRow& row) {
   const auto comparison = test_support::compare_images(test_support::as_floats(actual),
                                                        test_support::as_floats(expected.composite));
   row.composite_mean = comparison.mean;
   row.composite_maximum = comparison.maximum;
-  const bool same_geometry = expected.grazing.size() == actual.size();
-  double sum = 0.0, sum_of_squares = 0.0;
-  std::size_t grazing_pixels = 0;
   for (int y = 0; y < actual.height(); ++y) {
     for (int x = 0; x < actual.width(); ++x) {
-      const glm::ivec3 difference =
-          glm::ivec3(actual.at(x, y)) - glm::ivec3(expected.composite.at(x, y));
-      const bool grazing = same_geometry && expected.grazing.at(x, y) != 0;
-      if (grazing) {
-        const double mean = (difference.r + difference.g + difference.b) / 3.0;
-        sum += mean;
-        sum_of_squares += mean * mean;
-        ++grazing_pixels;
-      }
-      if (largest_step(difference) <= 3) continue;
+      const glm::ivec3 step =
+          glm::abs(glm::ivec3(actual.at(x, y)) - glm::ivec3(expected.composite.at(x, y)));
+      if (std::max({step.r, step.g, step.b}) <= 3) continue;
       ++row.composite_wrong;
       row.composite_wrong_rasterised += is_traced(expected, mode, x, y) ? 0 : 1;
-      row.composite_wrong_grazing += grazing ? 1 : 0;
     }
   }
-  if (grazing_pixels < 2) return;
-  const auto n = static_cast<double>(grazing_pixels);
-  row.grazing_bias = sum / n;
-  row.grazing_bias_error = std::sqrt((sum_of_squares - sum * sum / n) / (n - 1.0) / n);
 }
 
 }  // namespace
@@ -157,10 +137,7 @@ ParityRow compare_with_reference(const ParityCase& parity_case, frame::RendererM
 
 std::string table_header() {
   return "case                            renderer  traced   edge %  steep %    rim %  mean error  "
-         "max error "
-         " "
-         "wrong  "
-         "wrong+grazing | composite mean  max  within 3 %  off, rasterised  bias of grazing\n";
+         "max error  wrong  wrong+grazing | composite mean  max  within 3 %  off, rasterised\n";
 }
 
 std::string table_line(const ParityCase& parity_case, frame::RendererMode mode,
@@ -177,8 +154,7 @@ std::string table_line(const ParityCase& parity_case, frame::RendererMode mode,
        << std::setprecision(4) << std::setw(14) << row.composite_mean << std::setprecision(0)
        << std::setw(5) << row.composite_maximum << std::setprecision(3) << std::setw(12)
        << 100.0 - percent * static_cast<double>(row.composite_wrong) << std::setw(17)
-       << row.composite_wrong_rasterised << std::setprecision(2) << std::setw(10)
-       << row.grazing_bias << " +- " << row.grazing_bias_error << '\n';
+       << row.composite_wrong_rasterised << '\n';
   return line.str();
 }
 

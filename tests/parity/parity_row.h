@@ -29,10 +29,6 @@ struct ParityRow {
   double composite_maximum = 0.0;
   std::size_t composite_wrong = 0;             // pixels off by more than 3
   std::size_t composite_wrong_rasterised = 0;  // of those: rasterised
-  std::size_t composite_wrong_grazing = 0;     // of those: grazing
-  // Actual minus expected over grazing pixels; 0 behind a lens, which mixes them with others.
-  double grazing_bias = 0.0;
-  double grazing_bias_error = 0.0;  // standard error of that mean
 
   // For a failing test: the worst pixels in words, and the picture.
   std::string worst;

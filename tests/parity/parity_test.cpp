@@ -17,19 +17,20 @@ namespace {
 
 // Shares of all pixels.
 struct Limits {
-  double grazing = 0.002;         // where rays may fall on the other side of an edge in float
-  double wrong = 0.0;             // traced, over tolerance without grazing anything
-  double composite_wrong = 1e-3;  // off by more than 3/255
+  double excused = 0.002;  // traced, over tolerance where a ray grazes something
+  double grazing = 0.002;  // where rays may fall on the other side of an edge in float
+  double wrong = 0.0;      // traced, over tolerance without grazing anything
 };
+constexpr double kCompositeWrongShare = 1e-3;  // off by more than 3/255
 const test_support::Tolerance kComposite = {
     3.0, 1.0, "1/255: rounding to bytes; one pixel in a thousand may lie on an edge"};
 
 // Ten times reflected in 69,666 facets a millimetre wide, light magnifies what float rounds by
-// dozens each time, total reflection loses nothing on the way, and a pixel takes any of the colours
-// around: half of the bunny's pixels graze something, at two surfaces a tenth, at one a fiftieth.
-// Pixel by pixel only the others can be held to the reference, the rest in the mean. The one wrong
-// pixel: a shadow ray closer to the silhouette than the stated resolution (ray_offset.h).
-constexpr Limits kGlassBunny = {.grazing = 0.03, .wrong = 1e-4, .composite_wrong = 0.008};
+// dozens each time: half of the bunny's pixels would be others if rays were followed in float, at
+// two surfaces a tenth, at one a fiftieth. They are followed in double, and all limits but the
+// count of such pixels hold. The one wrong pixel, by 2.07e-3: light that grazes the silhouette,
+// whose cosine is a float.
+constexpr Limits kGlassBunny = {.grazing = 0.03, .wrong = 1e-4};
 
 using Parameters = std::tuple<const char*, int, frame::RendererMode>;
 
@@ -41,15 +42,13 @@ void expect_parity(const ParityCase& parity_case, frame::RendererMode mode, cons
   const auto pixels = static_cast<double>(row.pixels);
   EXPECT_LE(static_cast<double>(row.traced_wrong), limits.wrong * pixels)
       << "beyond " << kTracedTolerance << ":" << row.worst;
+  EXPECT_LE(static_cast<double>(row.traced_wrong_grazing), limits.excused * pixels);
   // Each sample of a pixel has its own chance to graze something.
   const int samples = parity_case.samples_per_side * parity_case.samples_per_side;
   EXPECT_LE(static_cast<double>(row.edge + row.steep + row.rim), limits.grazing * samples * pixels);
-  // Half a step of 1/255 is what a few pixels may be off by chance.
-  EXPECT_LE(std::abs(row.grazing_bias), 3.0 * row.grazing_bias_error + 0.5);
   const bool composite_agrees =
       row.composite_mean <= kComposite.mean &&
-      static_cast<double>(row.composite_wrong) <= limits.composite_wrong * pixels &&
-      static_cast<double>(row.composite_wrong - row.composite_wrong_grazing) <= 1e-3 * pixels;
+      static_cast<double>(row.composite_wrong) <= kCompositeWrongShare * pixels;
   EXPECT_TRUE(composite_agrees) << test_support::check_images(
       file_name, test_support::as_floats(row.composite),
       test_support::as_floats(reference_images(parity_case).composite), kComposite,
