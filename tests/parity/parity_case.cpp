@@ -1,8 +1,10 @@
 #include "parity/parity_case.h"
 
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <map>
+#include <set>
 
 #include "scene/anchored_scene.h"
 #include "scene/gltf_loader.h"
@@ -28,12 +30,22 @@ core::ImageRgb8 make_camera_image(int width, int height) {
   return image;
 }
 
-core::MarkerPose make_pose(int marker) {
+// world_from_marker in glTF's axes.
+core::MarkerPose make_pose(int marker, const glm::dmat4& world_from_marker) {
   const glm::dmat4 camera_from_world =
       test_support::look_at({0.03, 0.27, 0.24}, {-0.005, 0.015, -0.08});
   const glm::dmat4 camera_from_marker =
-      camera_from_world * core::rigid_inverse(core::opencv_marker_from_gltf());
+      camera_from_world * world_from_marker * core::rigid_inverse(core::opencv_marker_from_gltf());
   return {marker, glm::quat_cast(camera_from_marker), glm::dvec3(camera_from_marker[3])};
+}
+
+// The n-th other marker lies beside the world marker, to the right and to the left by turns, turned
+// and a little off the table, as a measured one.
+glm::dmat4 make_place(int n) {
+  const double side = n % 2 == 0 ? 1.0 : -1.0;
+  const glm::dvec3 beside(side * (0.09 + 0.03 * n), 0.0015 * (n + 1), 0.02 - 0.03 * n);
+  return glm::rotate(glm::translate(glm::dmat4(1.0), beside), 0.3 * (n + 1) * side,
+                     glm::dvec3(0.05, 1.0, -0.03));
 }
 
 }  // namespace
@@ -54,7 +66,16 @@ ParityCase make_parity_case(const std::string& scene_name, int width, int height
 
 void place_camera(ParityCase& parity_case) {
   parity_case.camera_image = make_camera_image(parity_case.camera.width, parity_case.camera.height);
-  parity_case.poses = {make_pose(parity_case.scene.world.marker)};
+  std::set<int> others;
+  for (const scene::Instance& instance : parity_case.scene.instances) {
+    if (instance.marker) others.insert(*instance.marker);
+  }
+  others.erase(parity_case.scene.world.marker);
+  parity_case.poses = {make_pose(parity_case.scene.world.marker, glm::dmat4(1.0))};
+  for (const int marker : others) {
+    const int n = static_cast<int>(parity_case.poses.size()) - 1;
+    parity_case.poses.push_back(make_pose(marker, make_place(n)));
+  }
 }
 
 ParityCase with_samples(ParityCase parity_case, int samples_per_side) {

@@ -30,10 +30,10 @@ struct ParityCase {
 std::string scene_path(const std::string& scene_name);
 
 // A scene of deploy/scenes. The image is gradients and soft stripes by formula; the world marker
-// is seen from above at a slant, as by somebody at a desk.
+// is seen from above at a slant, as by somebody at a desk, the scene's other markers beside it.
 ParityCase make_parity_case(const std::string& scene_name, int width, int height);
 
-// The made-up image, of the camera's size, and the pose.
+// The made-up image, of the camera's size, and the poses.
 void place_camera(ParityCase& parity_case);
 
 // The same with n x n samples a pixel.

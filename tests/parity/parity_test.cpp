@@ -17,20 +17,19 @@ namespace {
 
 // Shares of all pixels.
 struct Limits {
-  double excused = 0.002;  // traced, over tolerance where a ray grazes something
-  double grazing = 0.002;  // where rays may fall on the other side of an edge in float
-  double wrong = 0.0;      // traced, over tolerance without grazing anything
+  double excused = 0.0005;  // traced, over tolerance where something is grazed or steep
+  double grazing = 0.002;   // where rays may fall on the other side of an edge in float
+  double wrong = 0.0;       // traced, over tolerance without either
 };
 constexpr double kCompositeWrongShare = 1e-3;  // off by more than 3/255
 const test_support::Tolerance kComposite = {
     3.0, 1.0, "1/255: rounding to bytes; one pixel in a thousand may lie on an edge"};
 
-// Ten times reflected in 69,666 facets a millimetre wide, light magnifies what float rounds by
-// dozens each time: half of the bunny's pixels would be others if rays were followed in float, at
-// two surfaces a tenth, at one a fiftieth. They are followed in double, and all limits but the
-// count of such pixels hold. The one wrong pixel, by 2.07e-3: light that grazes the silhouette,
-// whose cosine is a float.
-constexpr Limits kGlassBunny = {.grazing = 0.03, .wrong = 1e-4};
+// Ten times reflected in 69,666 facets a millimetre wide, light magnifies a rounding of float by
+// dozens each time, so that a good part of the bunny's pixels meet other facets after it. Rays are
+// followed in double, and all limits but the count of such pixels hold. The wrong pixel,
+// by 2.07e-3: light that grazes the silhouette, from a point that is rounded to float.
+constexpr Limits kGlassBunny = {.grazing = 0.025, .wrong = 1e-4};
 
 using Parameters = std::tuple<const char*, int, frame::RendererMode>;
 
@@ -45,7 +44,7 @@ void expect_parity(const ParityCase& parity_case, frame::RendererMode mode, cons
   EXPECT_LE(static_cast<double>(row.traced_wrong_grazing), limits.excused * pixels);
   // Each sample of a pixel has its own chance to graze something.
   const int samples = parity_case.samples_per_side * parity_case.samples_per_side;
-  EXPECT_LE(static_cast<double>(row.edge + row.steep + row.rim), limits.grazing * samples * pixels);
+  EXPECT_LE(static_cast<double>(row.edge + row.rim), limits.grazing * samples * pixels);
   const bool composite_agrees =
       row.composite_mean <= kComposite.mean &&
       static_cast<double>(row.composite_wrong) <= kCompositeWrongShare * pixels;
@@ -75,7 +74,8 @@ TEST_P(Parity, RendererAgreesWithReference) {
 
 INSTANTIATE_TEST_SUITE_P(
     Scenes, Parity,
-    testing::Combine(testing::Values("complex", "diffuse", "mirror"), testing::Values(160, 320),
+    testing::Combine(testing::Values("complex", "diffuse", "glassware", "markers", "mirror"),
+                     testing::Values(160, 320),
                      testing::Values(frame::RendererMode::Raytrace, frame::RendererMode::Hybrid)),
     test_name);
 
@@ -98,7 +98,7 @@ INSTANTIATE_TEST_SUITE_P(
                      testing::Values(frame::RendererMode::Raytrace, frame::RendererMode::Hybrid)),
     test_name);
 
-// With fewer reflections the glass one is no exception but for what is steep.
+// With fewer reflections the glass one is no exception.
 TEST(ParityOfShallowBunnies, RendererAgreesWithReference) {
   if (!std::filesystem::exists(scene_path("generated/bunny-glass")))
     GTEST_SKIP() << "there is no glass bunny: deploy/fetch_assets.sh makes it";
@@ -106,8 +106,7 @@ TEST(ParityOfShallowBunnies, RendererAgreesWithReference) {
     ParityCase parity_case = make_parity_case("generated/bunny-glass", 160, 120);
     parity_case.name += " depth " + std::to_string(depth);
     parity_case.max_depth = depth;
-    Limits limits{.wrong = kGlassBunny.wrong};
-    if (depth == 2) limits.grazing = 0.005;
+    const Limits limits{.wrong = kGlassBunny.wrong};
     expect_parity(parity_case, frame::RendererMode::Raytrace, limits,
                   "bunny-depth-" + std::to_string(depth));
   }
