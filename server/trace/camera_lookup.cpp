@@ -26,10 +26,10 @@ float border_trust(const core::CameraModel& camera, const glm::dvec2& pixel) {
 }
 
 // Whether a real surface lies on the segment. Masked-out texels are none.
-bool is_hidden(const EmbreeScene& scene, const Ray& segment) {
+bool is_hidden(const EmbreeScene& scene, const glm::dvec3& start, const Ray& segment) {
   if (!scene.is_occluded(segment, Visible::Real)) return false;  // the common case
   bool hidden = false;
-  walk_straight(scene, segment, Visible::Real, [&](const SurfacePoint& point, double) {
+  walk_straight(scene, start, segment, Visible::Real, [&](const SurfacePoint& point, double) {
     const auto& cutoff = scene.scene().materials[point.material].alpha_cutoff;
     hidden = !cutoff || point.base_color.w >= *cutoff;
     return hidden ? std::nullopt : std::optional(Visible::Real);
@@ -61,7 +61,8 @@ std::optional<CameraSample> CameraLookup::look_up(const EmbreeScene& scene,
     const glm::dvec3 direction = glm::normalize(to_camera);
     const glm::vec3 origin = point.ray_origin_on_line(direction);
     const double distance = glm::distance(camera_in_world_, glm::dvec3(origin));
-    if (is_hidden(scene, {origin, glm::vec3(direction), static_cast<float>(distance)}))
+    if (is_hidden(scene, point.position,
+                  {origin, glm::vec3(direction), static_cast<float>(distance)}))
       return std::nullopt;
   }
   return CameraSample{scene::inverse_tone_map(bilinear(*pixel), view_.exposure), trust};

@@ -9,9 +9,12 @@
 namespace amalgam::trace {
 namespace {
 
-// The line's point in the triangle's plane; Möller and Trumbore 1997.
-Hit in_plane_of(const EmbreeScene& scene, const Hit& hit, const glm::dvec3& start,
-                const glm::dvec3& direction) {
+// A triangle in the world: its first corner, and its edges from there.
+struct Triangle {
+  glm::dvec3 a, edge_u, edge_v;
+};
+
+Triangle triangle_of(const EmbreeScene& scene, const Hit& hit) {
   const scene::Mesh& mesh = scene.scene().meshes[scene.scene().instances[hit.instance].mesh];
   const glm::dmat4& world_from_mesh = scene.placed(hit.instance).world_from_mesh;
   const glm::uvec3 corners = mesh.triangles[hit.triangle];
@@ -19,7 +22,13 @@ Hit in_plane_of(const EmbreeScene& scene, const Hit& hit, const glm::dvec3& star
     return glm::dvec3(world_from_mesh * glm::dvec4(mesh.positions[index], 1.0));
   };
   const glm::dvec3 a = corner(corners.x);
-  const glm::dvec3 edge_u = corner(corners.y) - a, edge_v = corner(corners.z) - a;
+  return {a, corner(corners.y) - a, corner(corners.z) - a};
+}
+
+// The line's point in the triangle's plane; Möller and Trumbore 1997.
+Hit in_plane_of(const EmbreeScene& scene, const Hit& hit, const glm::dvec3& start,
+                const glm::dvec3& direction) {
+  const auto [a, edge_u, edge_v] = triangle_of(scene, hit);
   const glm::dvec3 from_a = start - a;
   const glm::dvec3 p = glm::cross(direction, edge_v), q = glm::cross(from_a, edge_u);
   const double scale = glm::dot(edge_u, p);
@@ -43,33 +52,39 @@ double beside(const Hit& hit) {
 // What lies there if another ray looks from nearby, where float is finer and nothing has to be
 // left.
 std::optional<Hit> look_again(const EmbreeScene& scene, const Hit& near, const glm::dvec3& start,
-                              const glm::dvec3& direction) {
+                              const glm::dvec3& direction, Visible visible) {
   constexpr double kBack = 1e-3;
   const double t = near.t * (1.0 - kBack);
   const Ray ray{glm::vec3(start + t * direction), glm::vec3(direction),
                 static_cast<float>(2.0 * kBack * near.t)};
-  const auto met = scene.intersect(ray, Visible::Everything);
+  const auto met = scene.intersect(ray, visible);
   if (!met) return std::nullopt;
   return in_plane_of(scene, *met, start, direction);
 }
 
-Hit nearest_edge(Hit hit) {
+// The triangle's edge beside the line, and where the line passes it: seen at a flat angle, that is
+// far from where the line meets the triangle's plane.
+Hit nearest_edge(const EmbreeScene& scene, Hit hit, const glm::dvec3& start,
+                 const glm::dvec3& direction) {
   const glm::dvec2 inside = glm::max(hit.barycentric, glm::dvec2(0.0));
   hit.barycentric = inside / std::max(1.0, inside.x + inside.y);
+  const auto [a, edge_u, edge_v] = triangle_of(scene, hit);
+  const glm::dvec3 point = a + hit.barycentric.x * edge_u + hit.barycentric.y * edge_v;
+  hit.t = glm::dot(point - start, direction);
   return hit;
 }
 
 }  // namespace
 
 Hit hit_on_line(const EmbreeScene& scene, const Hit& traced, const glm::dvec3& start,
-                const glm::dvec3& direction) {
+                const glm::dvec3& direction, Visible visible) {
   const Hit hit = in_plane_of(scene, traced, start, direction);
   constexpr double kFar = 0.01;
   if (!is_finite(hit) || !(hit.t > 0.0) || beside(hit) >= kFar) return traced;
   if (beside(hit) <= 0.0) return hit;
-  const auto other = look_again(scene, hit, start, direction);
+  const auto other = look_again(scene, hit, start, direction, visible);
   if (other && beside(*other) <= 0.0 && other->t > 0.0) return *other;
-  return nearest_edge(hit);
+  return nearest_edge(scene, hit, start, direction);
 }
 
 }  // namespace amalgam::trace

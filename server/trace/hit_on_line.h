@@ -10,10 +10,10 @@
 namespace amalgam::trace {
 
 // The hit of the line that begins at start, with barycentric coordinates and t (from start) in
-// double: in the triangle that the traced ray met, or in its neighbour if the line passes beside
-// that one. Where the line passes beside both, their edge; where it has no point in common with the
-// triangle that means anything (seen edge-on), the traced hit as it is.
+// double: in the triangle that the traced ray met, or in its neighbour (of what is visible) if the
+// line passes beside that one. Where the line passes beside both, their edge; where it has no point
+// in common with the triangle that means anything (seen edge-on), the traced hit as it is.
 Hit hit_on_line(const EmbreeScene& scene, const Hit& traced, const glm::dvec3& start,
-                const glm::dvec3& direction);
+                const glm::dvec3& direction, Visible visible);
 
 }  // namespace amalgam::trace

@@ -14,21 +14,22 @@ std::vector<std::uint32_t> materials_left(const EmbreeScene& scene, const glm::v
                                           const glm::vec3& direction) {
   std::vector<std::uint32_t> entered, left;
   const Ray ray{point, direction, std::numeric_limits<float>::infinity()};
-  walk_straight(scene, ray, Visible::Everything, [&](const SurfacePoint& met, double) {
-    const scene::Material& material = scene.scene().materials[met.material];
-    const bool solid = material.kind == scene::MaterialKind::Dielectric && !material.thin;
-    const auto found = std::find(entered.begin(), entered.end(), met.material);
-    if (!solid) {
-      // No medium begins or ends there.
-    } else if (met.front) {
-      entered.push_back(met.material);
-    } else if (found != entered.end()) {
-      entered.erase(found);
-    } else {
-      left.push_back(met.material);
-    }
-    return std::optional(Visible::Everything);
-  });
+  walk_straight(
+      scene, glm::dvec3(point), ray, Visible::Everything, [&](const SurfacePoint& met, double) {
+        const scene::Material& material = scene.scene().materials[met.material];
+        const bool solid = material.kind == scene::MaterialKind::Dielectric && !material.thin;
+        const auto found = std::find(entered.begin(), entered.end(), met.material);
+        if (!solid) {
+          // No medium begins or ends there.
+        } else if (met.front) {
+          entered.push_back(met.material);
+        } else if (found != entered.end()) {
+          entered.erase(found);
+        } else {
+          left.push_back(met.material);
+        }
+        return std::optional(Visible::Everything);
+      });
   return left;
 }
 

@@ -32,7 +32,7 @@ struct Solution {
 
 }  // namespace
 
-ShadowAttenuation trace_shadow(const EmbreeScene& scene, const Ray& ray) {
+ShadowAttenuation trace_shadow(const EmbreeScene& scene, const glm::dvec3& start, const Ray& ray) {
   if (!scene.is_occluded(ray, Visible::Everything))
     return {};  // the common case, and the cheapest query
   Solution real, virtual_only;
@@ -58,7 +58,7 @@ ShadowAttenuation trace_shadow(const EmbreeScene& scene, const Ray& ray) {
     return virtual_only.blocked ? Visible::Real : Visible::Everything;
   };
   // Too many surfaces count as opaque.
-  if (!walk_straight(scene, ray, Visible::Everything, pass)) real.blocked = true;
+  if (!walk_straight(scene, start, ray, Visible::Everything, pass)) real.blocked = true;
   const glm::vec3 real_attenuation = real.attenuation();
   return {real_attenuation * virtual_only.attenuation(), real_attenuation};
 }

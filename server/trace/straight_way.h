@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <optional>
 
+#include "trace/hit_on_line.h"
 #include "trace/surface_point.h"
 
 namespace amalgam::trace {
@@ -14,16 +16,22 @@ namespace amalgam::trace {
 inline constexpr int kMaxSurfacesOnWay = 256;
 
 // Calls visit(const SurfacePoint&, t) for each surface that the ray meets, nearest first, masked
-// texels too. It returns what the way may meet from there on, or nothing if that was enough. The
-// same ray goes on behind each hit, so that no surface is met twice and none left out but such as
-// lie at the very same t. Returns false if there were too many.
+// texels too. The surfaces are those of the line that begins at start and t is from there; the ray
+// lies on it and may begin a little later. It returns what the way may meet from there on, or
+// nothing if that was enough. The same ray goes on behind each hit, so that no surface is met twice
+// and none left out but such as lie at the very same t. Returns false if there were too many.
 template <typename Visit>
-bool walk_straight(const EmbreeScene& scene, Ray ray, Visible visible, const Visit& visit) {
+bool walk_straight(const EmbreeScene& scene, const glm::dvec3& start, Ray ray, Visible visible,
+                   const Visit& visit) {
+  const glm::dvec3 direction(ray.direction);
+  const double ahead = glm::distance(start, glm::dvec3(ray.origin));
   for (int i = 0; i < kMaxSurfacesOnWay; ++i) {
     const auto hit = scene.intersect(ray, visible);
     if (!hit) return true;
-    const std::optional<Visible> next =
-        visit(surface_point(scene, *hit, glm::dvec3(ray.direction)), hit->t);
+    Hit traced = *hit;
+    traced.t += ahead;
+    const Hit on_line = hit_on_line(scene, traced, start, direction, visible);
+    const std::optional<Visible> next = visit(surface_point(scene, on_line, direction), on_line.t);
     if (!next) return true;
     visible = *next;
     ray.t_min = std::nextafter(static_cast<float>(hit->t), std::numeric_limits<float>::infinity());

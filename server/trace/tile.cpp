@@ -115,7 +115,8 @@ void Tile::intersect_rays() {
     hits_.push_back(request_.scene.intersect(item.ray, Visible::Everything));
     if (hits_.back()) {
       hits_.back()->t += glm::distance(item.start, glm::dvec3(item.ray.origin));
-      hits_.back() = hit_on_line(request_.scene, *hits_.back(), item.start, item.direction);
+      hits_.back() = hit_on_line(request_.scene, *hits_.back(), item.start, item.direction,
+                                 Visible::Everything);
     }
   }
 }
@@ -288,7 +289,8 @@ void Tile::spawn_shadow_rays() {
       const glm::vec3 contribution = phong_contribution(terms, item.point, item.view, arrival);
       if (contribution == glm::vec3(0.0f)) continue;
       const glm::vec3 origin = item.point.ray_origin_on_line(glm::dvec3(arrival.to_light));
-      shadows_.push_back({{origin, arrival.to_light, arrival.distance}, contribution, d});
+      shadows_.push_back(
+          {item.point.position, {origin, arrival.to_light, arrival.distance}, contribution, d});
     }
   }
 }
@@ -296,7 +298,7 @@ void Tile::spawn_shadow_rays() {
 void Tile::trace_shadow_rays() {
   counts_.rays.shadow += shadows_.size();
   for (const ShadowItem& item : shadows_) {
-    const ShadowAttenuation attenuation = trace_shadow(request_.scene, item.ray);
+    const ShadowAttenuation attenuation = trace_shadow(request_.scene, item.start, item.ray);
     radiance_[item.diffuse].mixed += item.contribution * attenuation.mixed;
     radiance_[item.diffuse].real += item.contribution * attenuation.real;
   }

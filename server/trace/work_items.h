@@ -61,7 +61,8 @@ struct DiffuseItem {
 };
 
 struct ShadowItem {
-  Ray ray;
+  glm::dvec3 start{0.0};         // on the surface
+  Ray ray;                       // from a little further along
   glm::vec3 contribution{0.0f};  // what the light adds if nothing is in the way
   std::uint32_t diffuse = 0;     // index into the batch's DiffuseItems
 };

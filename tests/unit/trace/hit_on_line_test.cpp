@@ -40,7 +40,7 @@ class HitOnLine : public testing::Test {
 
   Hit on_line(const glm::dvec3& start, const glm::dvec3& direction,
               const glm::dvec2& traced = {0.3, 0.3}, double t = 1.0) const {
-    return hit_on_line(*embree_, {0, 0, traced, t}, start, direction);
+    return hit_on_line(*embree_, {0, 0, traced, t}, start, direction, Visible::Everything);
   }
 
   glm::dvec3 at(double u, double v) const { return a_ + u * u_ + v * v_; }

@@ -16,11 +16,11 @@ std::vector<double> heights_met(const scene::Scene& scene, const Ray& ray) {
   EmbreeScene embree(scene);
   embree.place(anchor_all(scene));
   std::vector<double> heights;
-  EXPECT_TRUE(
-      walk_straight(embree, ray, Visible::Everything, [&](const SurfacePoint& point, double) {
-        heights.push_back(std::round(point.position.y * 1e6) / 1e6);
-        return std::optional(Visible::Everything);
-      }));
+  EXPECT_TRUE(walk_straight(embree, glm::dvec3(ray.origin), ray, Visible::Everything,
+                            [&](const SurfacePoint& point, double) {
+                              heights.push_back(std::round(point.position.y * 1e6) / 1e6);
+                              return std::optional(Visible::Everything);
+                            }));
   return heights;
 }
 
@@ -57,7 +57,8 @@ TEST(StraightWay, StopsWhenToldAndLooksForWhatItIsTold) {
   EmbreeScene embree(scene);
   embree.place(anchor_all(scene));
   std::vector<double> heights;
-  walk_straight(embree, {{0.1f, 5, 0.2f}, {0, -1, 0}, kInfinity}, Visible::Everything,
+  walk_straight(embree, glm::dvec3(0.1f, 5, 0.2f), {{0.1f, 5, 0.2f}, {0, -1, 0}, kInfinity},
+                Visible::Everything,
                 [&](const SurfacePoint& point, double t) -> std::optional<Visible> {
                   EXPECT_NEAR(t, 5.0 - point.position.y, 1e-6);
                   heights.push_back(std::round(point.position.y * 1e6) / 1e6);
@@ -81,10 +82,10 @@ TEST(StraightWay, GivesUpOnTooMany) {
   EmbreeScene embree(scene);
   embree.place(anchor_all(scene));
   const auto go_on = [](const SurfacePoint&, double) { return std::optional(Visible::Everything); };
-  EXPECT_FALSE(
-      walk_straight(embree, {{0.1f, 9, 0.2f}, {0, -1, 0}, kInfinity}, Visible::Everything, go_on));
-  EXPECT_TRUE(
-      walk_straight(embree, {{0.1f, 1, 0.2f}, {0, -1, 0}, kInfinity}, Visible::Everything, go_on));
+  EXPECT_FALSE(walk_straight(embree, glm::dvec3(0.1f, 9, 0.2f),
+                             {{0.1f, 9, 0.2f}, {0, -1, 0}, kInfinity}, Visible::Everything, go_on));
+  EXPECT_TRUE(walk_straight(embree, glm::dvec3(0.1f, 1, 0.2f),
+                            {{0.1f, 1, 0.2f}, {0, -1, 0}, kInfinity}, Visible::Everything, go_on));
 }
 
 }  // namespace
