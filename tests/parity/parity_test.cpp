@@ -28,7 +28,7 @@ const test_support::Tolerance kComposite = {
 // Ten times reflected in 69,666 facets a millimetre wide, light magnifies a rounding of float by
 // dozens each time, so that a good part of the bunny's pixels meet other facets after it. Rays are
 // followed in double, and all limits but the count of such pixels hold. The wrong pixel,
-// by 2.07e-3: light that grazes the silhouette, from a point that is rounded to float.
+// by 2.07e-3, lies in the shadow of the silhouette.
 constexpr Limits kGlassBunny = {.grazing = 0.025, .wrong = 1e-4};
 
 using Parameters = std::tuple<const char*, int, frame::RendererMode>;
