@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes the pictures of the README anew, by our own renderer: deploy/pictures/*.jpg.
-# Needs a build, the demo's assets (deploy/fetch_assets.sh) and ImageMagick with the DejaVu fonts, which cuts and joins. Some pictures show test
+# Needs a build, the demo's assets (deploy/fetch_assets.sh) and ImageMagick, which cuts and joins. Some pictures show test
 # data that the repository does not hold; without it they are named and stay as they are. BIN: where the programs are.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

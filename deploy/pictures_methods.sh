@@ -21,15 +21,6 @@ done
 beside "$work/edges.png" "$work"/near-{map,traced}.png
 jpeg "$work/edges.png" shadow-edges
 
-# Where each pixel's light comes from: colours over the picture, which they are cut to (its margins are for the lens).
-render --scene deploy/scenes/complex.gltf "${photo[@]}" --samples 9 --dump "$work/dump" --output "$work/whole.png"
-python3 -B deploy/pictures_provenance.py "$work/dump/provenance.exr" "$work/provenance.ppm"
-legend=()
-while read -r color text; do
-  legend+=(\( -size 20x20 "xc:$color" -bordercolor white -border 6x4 -size 240x28 -gravity west -fill black "label:$text" +append \))
-done < <(python3 -B deploy/pictures_provenance.py --legend)
-convert "$work/whole.png" -colorspace gray -colorspace sRGB \( "$work/provenance.ppm" -gravity center -crop 640x480+0+0 +repage \) \
-  -compose blend -define compose:args=72 -composite -gravity northwest -crop 460x280+150+110 +repage "$work/painted.png"
-convert -font DejaVu-Sans -pointsize 15 -background white "${legend[@]}" -append "$work/legend.png"
-convert "$work/painted.png" "$work/legend.png" -gravity center -background white +append "$work/provenance.png"
-jpeg "$work/provenance.png" provenance
+# Where each pixel's light comes from.
+render --scene deploy/scenes/complex.gltf "${photo[@]}" --samples 9 --dump "$work/dump"
+jpeg "$work/dump/provenance.png" provenance

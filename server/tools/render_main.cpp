@@ -10,6 +10,7 @@
 #include "core/log.h"
 #include "frame/frame_renderer.h"
 #include "scene/gltf_loader.h"
+#include "tools/provenance_picture.h"
 #include "tools/render_input.h"
 #include "tools/render_report.h"
 #include "tools/renderer_options.h"
@@ -51,7 +52,8 @@ void add_options(CLI::App& app, Options& options) {
       ->default_str("640x480");
   app.add_option("--output", options.output, "picture to write the composite to: .png, or .jpg");
   tools::add_renderer_options(app, options.renderer);
-  app.add_option("--dump", options.dump, "folder to write every buffer to, as EXR");
+  app.add_option("--dump", options.dump,
+                 "folder to write every buffer to, as EXR, and where light came from as a picture");
   app.add_option("--graph", options.graph, "file to write the frame graph to, for Graphviz");
   app.add_option("--repeat", options.repeat, "render the frame so many times, for timing")
       ->check(CLI::Range(1, 100000))
@@ -90,13 +92,19 @@ void run(const Options& options) {
   std::vector<frame::FrameOutput> frames;
   for (int i = 0; i < options.repeat; ++i) {
     const bool last = i + 1 == options.repeat;
-    view.options.keep_provenance = last && options.json;
+    view.options.keep_provenance = last && (options.json || !options.dump.empty());
     frames.push_back(
         renderer.render(view, input.frame, last && !options.dump.empty() ? &buffers : nullptr));
     if (!last) frames.back().pixels = {};
   }
   if (!options.output.empty()) write_picture(options.output, frames.back().pixels);
-  if (!options.dump.empty()) frame::write_buffers(buffers, options.dump);
+  if (!options.dump.empty()) {
+    frame::write_buffers(buffers, options.dump);
+    if (const auto& provenance = frames.back().provenance) {
+      tools::write_provenance_picture(*provenance,
+                                      std::filesystem::path(options.dump) / "provenance.png");
+    }
+  }
   if (!options.graph.empty() && !(std::ofstream(options.graph) << renderer.last_graph())) {
     throw std::runtime_error(options.graph + ": cannot be written");
   }

@@ -1,13 +1,16 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 
 #include "codec/jpeg.h"
+#include "codec/picture.h"
 #include "integration/programs/child_process.h"
 #include "support/test_data.h"
 
@@ -140,6 +143,29 @@ TEST_F(Programs, PhotographGetsItsObjects) {
   EXPECT_GT(report["rays"]["refraction"].get<int>(), 1000);
   EXPECT_TRUE(fs::exists(folder_ / "out.png"));
   EXPECT_TRUE(fs::exists(folder_ / "d" / "mixed.exr"));
+}
+
+// The same shares as numbers, as a buffer and as a picture with its legend.
+TEST_F(Programs, LightIsAccountedFor) {
+  ChildProcess render("amalgam-render", {"--scene", scene_path("complex"), "--size", "160x120",
+                                         "--dump", (folder_ / "d").string(), "--json"});
+  const nlohmann::json report = nlohmann::json::parse(render.read_all(kPatience), nullptr, false);
+  EXPECT_EQ(render.wait(seconds(10)), 0);
+  ASSERT_TRUE(report.is_object());
+  const nlohmann::json& shares = report["provenance"];
+  EXPECT_GT(shares["raster"].get<double>(), 1000.0);
+  EXPECT_TRUE(fs::exists(folder_ / "d" / "provenance.exr"));
+  const std::string png = read_file(folder_ / "d" / "provenance.png");
+  const core::ImageRgba8 picture =
+      codec::decode_picture(std::as_bytes(std::span(png.data(), png.size())));
+  EXPECT_EQ(picture.width(), 160);
+  EXPECT_GT(picture.height(), 120);
+  const auto pixels = picture.pixels().first(160 * 120);
+  const auto green = std::count_if(pixels.begin(), pixels.end(), [](const core::Rgba8& p) {
+    return p.g > p.r + 60 && p.g > p.b + 60;
+  });
+  EXPECT_NEAR(static_cast<double>(green), shares["camera_lookup"].get<double>(),
+              0.3 * shares["camera_lookup"].get<double>());
 }
 
 TEST_F(Programs, BadOptionsGiveOneLineAndAFailure) {
