@@ -30,6 +30,14 @@ void add_box(scene::Scene& scene, scene::Material material,
              std::move(material), role);
 }
 
+scene::Scene table_with_box_and_glass_ball() {
+  scene::Scene scene = table();
+  add_box(scene, test_support::make_diffuse(glm::vec3(0.7f, 0.3f, 0.2f), 0.4f));
+  add_object(scene, test_support::make_sphere({0.09f, 0.03f, 0.02f}, 0.03f),
+             test_support::make_glass(), scene::Role::Virtual);
+  return scene;
+}
+
 core::ImageRgb8 stripes() {
   core::ImageRgb8 image(kWidth, kHeight);
   for (int y = 0; y < kHeight; ++y) {
@@ -144,10 +152,7 @@ TEST(FrameRenderer, TouchesOnlyWhatIsAffected) {
 
 // One picture, two ways to it; a fixed exposure, because the meters differ by a shadow's edge.
 TEST(FrameRenderer, HybridAndRaytraceAgree) {
-  scene::Scene scene = table();
-  add_box(scene, test_support::make_diffuse(glm::vec3(0.7f, 0.3f, 0.2f), 0.4f));
-  add_object(scene, test_support::make_sphere({0.09f, 0.03f, 0.02f}, 0.03f),
-             test_support::make_glass(), scene::Role::Virtual);
+  const scene::Scene scene = table_with_box_and_glass_ball();
   ViewOptions options;
   options.camera = core::default_camera(kWidth, kHeight);
   options.keep_pixels = true;
@@ -197,10 +202,7 @@ TEST(FrameRenderer, SecondFrameRedrawsNoShadowMap) {
 // Adaptive sampling comes nearer to fixed nine samples than one sample does, with fewer rays than
 // nine.
 TEST(FrameRenderer, AdaptiveSamplesGoWhereTheyMatter) {
-  scene::Scene scene = table();
-  add_box(scene, test_support::make_diffuse(glm::vec3(0.7f, 0.3f, 0.2f), 0.4f));
-  add_object(scene, test_support::make_sphere({0.09f, 0.03f, 0.02f}, 0.03f),
-             test_support::make_glass(), scene::Role::Virtual);
+  const scene::Scene scene = table_with_box_and_glass_ball();
   ViewOptions options;
   options.camera = core::default_camera(kWidth, kHeight);
   options.keep_pixels = true;

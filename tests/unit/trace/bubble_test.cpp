@@ -34,11 +34,21 @@ scene::Scene ball_with(Bubble bubble, int slices) {
   return scene;
 }
 
+// A lamp 2 mm wide and 3 m away, where a ray of height b goes that was turned by so much (radians).
+void add_target(scene::Scene& scene, double b, double turned) {
+  const glm::dvec3 out(-std::sin(turned), 0.0, -std::cos(turned));
+  const glm::dvec3 across(std::cos(turned), 0.0, -std::sin(turned));
+  constexpr float kHalf = 1e-3f;
+  add_object(scene,
+             test_support::make_quad(glm::vec3(b * across + 3.0 * out), kHalf * glm::vec3(across),
+                                     {0, kHalf, 0}),
+             emitter(1.0f), scene::Role::Virtual);
+}
+
 class AirBubble : public testing::TestWithParam<Bubble> {};
 
 // A ray at height b keeps n r sin(angle) = b at every radius r (Bouguer), so it leaves at height b
-// again and turned by 2 ((i1 - r1) + (i2 - r2)). What it meets there is 2 mm wide and 3 m away; the
-// facets' sagitta is 2e-5.
+// again and turned by 2 ((i1 - r1) + (i2 - r2)). The facets' sagitta is 2e-5.
 TEST_P(AirBubble, BendsRaysBySnell) {
   const TraceSettings settings{
       .max_depth = 4, .importance_cutoff = 0.0f, .fresnel = FresnelModel::Exact};
@@ -46,14 +56,8 @@ TEST_P(AirBubble, BendsRaysBySnell) {
     const double i1 = std::asin(b / kBall), r1 = std::asin(b / (kIndex * kBall));
     const double i2 = std::asin(b / (kIndex * kBubble)), r2 = std::asin(b / kBubble);
     const double turned = 2.0 * ((i1 - r1) + (i2 - r2));
-    const glm::dvec3 out(-std::sin(turned), 0.0, -std::cos(turned));
-    const glm::dvec3 across(std::cos(turned), 0.0, -std::sin(turned));
-    constexpr float kHalf = 1e-3f;
     scene::Scene scene = ball_with(GetParam(), 512);
-    add_object(scene,
-               test_support::make_quad(glm::vec3(b * across + 3.0 * out), kHalf * glm::vec3(across),
-                                       {0, kHalf, 0}),
-               emitter(1.0f), scene::Role::Virtual);
+    add_target(scene, b, turned);
     const double outer = 1.0 - reflectance_exact(std::cos(i1), 1.0, kIndex);
     const double inner = 1.0 - reflectance_exact(std::cos(i2), kIndex, 1.0);
     EXPECT_NEAR(trace_ray(scene, {b, 1e-4, 3.0}, {b, 1e-4, 0.0}, settings).x,
@@ -69,14 +73,8 @@ TEST_P(AirBubble, ReflectsAllBeyondTheCriticalAngle) {
   const double i1 = std::asin(b / kBall), r1 = std::asin(b / (kIndex * kBall));
   const double i2 = std::asin(b / (kIndex * kBubble));
   const double turned = 2.0 * (i1 - r1) - (std::numbers::pi - 2.0 * i2);
-  const glm::dvec3 out(-std::sin(turned), 0.0, -std::cos(turned));
-  const glm::dvec3 across(std::cos(turned), 0.0, -std::sin(turned));
-  constexpr float kHalf = 1e-3f;
   scene::Scene scene = ball_with(GetParam(), 512);
-  add_object(scene,
-             test_support::make_quad(glm::vec3(b * across + 3.0 * out), kHalf * glm::vec3(across),
-                                     {0, kHalf, 0}),
-             emitter(1.0f), scene::Role::Virtual);
+  add_target(scene, b, turned);
   const TraceSettings settings{
       .max_depth = 3, .importance_cutoff = 0.0f, .fresnel = FresnelModel::Exact};
   const double outer = 1.0 - reflectance_exact(std::cos(i1), 1.0, kIndex);
