@@ -25,15 +25,28 @@ bool walk_straight(const EmbreeScene& scene, const glm::dvec3& start, Ray ray, V
                    const Visit& visit) {
   const glm::dvec3 direction(ray.direction);
   const double ahead = glm::distance(start, glm::dvec3(ray.origin));
+  struct {
+    std::uint32_t instance = 0;
+    bool front = false;
+    double t = -1.0;
+  } last;
   for (int i = 0; i < kMaxSurfacesOnWay; ++i) {
     const auto hit = scene.intersect(ray, visible);
     if (!hit) return true;
     Hit traced = *hit;
     traced.t += ahead;
     const Hit on_line = hit_on_line(scene, traced, start, direction, visible);
-    const std::optional<Visible> next = visit(surface_point(scene, on_line, direction), on_line.t);
-    if (!next) return true;
-    visible = *next;
+    const SurfacePoint point = surface_point(scene, on_line, direction);
+    // On an edge Embree may meet both triangles, where the line enters or leaves once.
+    constexpr double kSame = 4e-7;
+    const bool again = on_line.instance == last.instance && point.front == last.front &&
+                       std::abs(on_line.t - last.t) <= kSame * on_line.t;
+    if (!again) {
+      const std::optional<Visible> next = visit(point, on_line.t);
+      if (!next) return true;
+      visible = *next;
+    }
+    last = {on_line.instance, point.front, on_line.t};
     ray.t_min = std::nextafter(static_cast<float>(hit->t), std::numeric_limits<float>::infinity());
   }
   return false;

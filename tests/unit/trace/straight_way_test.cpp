@@ -46,6 +46,35 @@ TEST(StraightWay, LeavesNoneOutWhereItGrazesThem) {
   EXPECT_EQ(heights_met(plates(1e-5f), {{-10.0f, 0.01f, 0.2f}, direction, kInfinity}).size(), 4u);
 }
 
+// Through the middle of a ball's edges, where Embree may meet both triangles: in and out, once
+// each.
+TEST(StraightWay, MeetsAnEdgeOnce) {
+  scene::Scene scene;
+  test_support::add_object(scene, test_support::make_sphere(glm::vec3(0.0f), 0.1f, 64, 32),
+                           test_support::make_glass(), scene::Role::Virtual);
+  EmbreeScene embree(scene);
+  embree.place(anchor_all(scene));
+  const scene::Mesh& ball = scene.meshes[0];
+  const glm::dvec3 start(0.5, 0.31, 0.23);
+  int wrong = 0;
+  for (const glm::uvec3& corners : ball.triangles) {
+    for (int k = 0; k < 3; ++k) {
+      const glm::dvec3 a(ball.positions[corners[k]]), b(ball.positions[corners[(k + 1) % 3]]);
+      const glm::vec3 direction(glm::normalize(0.5 * (a + b) - start));
+      // At the silhouette in and out may be one point.
+      if (std::abs(glm::dot(glm::normalize(a + b), glm::dvec3(direction))) < 0.05) continue;
+      int in = 0, out = 0;
+      walk_straight(embree, start, {glm::vec3(start), direction, kInfinity}, Visible::Everything,
+                    [&](const SurfacePoint& point, double) {
+                      ++(point.front ? in : out);
+                      return std::optional(Visible::Everything);
+                    });
+      wrong += in == 1 && out == 1 ? 0 : 1;
+    }
+  }
+  EXPECT_EQ(wrong, 0);
+}
+
 TEST(StraightWay, EndsWithTheRay) {
   EXPECT_EQ(heights_met(plates(0.25f), {{0.1f, 5, 0.2f}, {0, -1, 0}, 4.6f}),
             (std::vector<double>{0.75, 0.5}));
