@@ -19,7 +19,8 @@ inline constexpr int kMaxSurfacesOnWay = 256;
 // texels too. The surfaces are those of the line that begins at start and t is from there; the ray
 // lies on it and may begin a little later. It returns what the way may meet from there on, or
 // nothing if that was enough. The same ray goes on behind each hit, so that no surface is met twice
-// and none left out but such as lie at the very same t. Returns false if there were too many.
+// and none left out but such as lie at the very same t, or face the same way in one instance within
+// 4e-7 t of each other. Returns false if there were too many.
 template <typename Visit>
 bool walk_straight(const EmbreeScene& scene, const glm::dvec3& start, Ray ray, Visible visible,
                    const Visit& visit) {
