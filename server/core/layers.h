@@ -5,15 +5,73 @@
 // Eq. 4.5 evaluated per sample in display-linear light and averaged over a pixel's samples; so a
 // pixel that a virtual object covers by half is half that object and half the camera image, without
 // a rim.
+//
+// Most of a picture shows nothing virtual. Layers are therefore sparse: only tiles in which there
+// may be something exist, and everywhere else all three layers are 0.
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <memory>
+#include <vector>
+
 #include "core/image.h"
+#include "core/tile_grid.h"
 
 namespace amalgam::core {
 
-struct Layers {
-  ImageRgba32f over;       // A = mean(M_v (TM(I_m) + I_e)), premultiplied; alpha: a = mean(M_v)
-  ImageRgb32f difference;  // D = mean((1 - M_v) (TM(I_m) - TM(I_r))), signed
+// kTileSide x kTileSide pixels, row by row. Pixels beyond the picture stay 0.
+struct LayerTile {
+  static constexpr std::size_t kPixels = std::size_t{kTileSide} * kTileSide;
+  std::array<glm::vec4, kPixels> over{};  // A = mean(M_v (TM(I_m) + I_e)), premultiplied; alpha:
+                                          // a = mean(M_v)
+  std::array<glm::vec3, kPixels> difference{};  // D = mean((1 - M_v) (TM(I_m) - TM(I_r))), signed
+
+  static std::size_t index(int x, int y) {  // of a pixel of the picture
+    return static_cast<std::size_t>(y % kTileSide) * kTileSide +
+           static_cast<std::size_t>(x % kTileSide);
+  }
+  bool is_zero() const;
+};
+
+class Layers {
+ public:
+  Layers() = default;
+  explicit Layers(glm::ivec2 size);  // no tile exists
+
+  Layers(const Layers& other);
+  Layers& operator=(const Layers& other);
+  Layers(Layers&&) noexcept = default;
+  Layers& operator=(Layers&&) noexcept = default;
+
+  const TileGrid& grid() const { return grid_; }
+  glm::ivec2 size() const { return grid_.size(); }
+
+  // Null where nothing is.
+  LayerTile* find(std::size_t tile) { return tiles_[tile].get(); }
+  const LayerTile* find(std::size_t tile) const { return tiles_[tile].get(); }
+  // The tile, made and zero-filled if it did not exist. Different tiles may be made by different
+  // threads.
+  LayerTile& make(std::size_t tile);
+  void drop(std::size_t tile) { tiles_[tile].reset(); }
+
+  std::vector<std::size_t> present() const;  // tiles that exist, ascending
+  bool is_zero() const;
+
+  // One pixel, for what looks at few of them.
+  glm::vec4 over(int x, int y) const;
+  glm::vec3 difference(int x, int y) const;
+  void set(int x, int y, const glm::vec4& over, const glm::vec3& difference);
+
+  // As whole pictures, for dumps and tests.
+  ImageRgba32f over_image() const;
+  ImageRgb32f difference_image() const;
+
+ private:
+  TileGrid grid_;
+  std::vector<std::unique_ptr<LayerTile>> tiles_;
 };
 
 }  // namespace amalgam::core

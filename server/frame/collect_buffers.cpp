@@ -101,8 +101,8 @@ FrameBuffers collect_buffers(const graph::FrameGraph& graph, const FramePasses& 
     buffers.emplace("real_depth", depth->z);
   }
   if (const passes::Layers* layers = graph.peek(frame.layers)) {
-    buffers.emplace("over", layers->over);
-    buffers.emplace("difference", layers->difference);
+    buffers.emplace("over", layers->over_image());
+    buffers.emplace("difference", layers->difference_image());
   }
   return buffers;
 }

@@ -3,25 +3,32 @@
 #include <tbb/parallel_for.h>
 
 #include <string>
+#include <vector>
 
 #include "scene/tone_map.h"
 
 namespace amalgam::passes {
 
 core::ImageRgb8 composite(const core::Layers& layers, const core::ImageRgb8& camera_image) {
-  AMALGAM_CHECK(
-      layers.over.size() == camera_image.size() && layers.difference.size() == camera_image.size(),
-      "layers are " + std::to_string(layers.over.width()) + "x" +
-          std::to_string(layers.over.height()) + ", the camera image is " +
-          std::to_string(camera_image.width()) + "x" + std::to_string(camera_image.height()));
+  AMALGAM_CHECK(layers.size() == camera_image.size(),
+                "layers are " + std::to_string(layers.size().x) + "x" +
+                    std::to_string(layers.size().y) + ", the camera image is " +
+                    std::to_string(camera_image.width()) + "x" +
+                    std::to_string(camera_image.height()));
   core::ImageRgb8 out = camera_image;
-  tbb::parallel_for(0, out.height(), [&](int y) {
-    for (int x = 0; x < out.width(); ++x) {
-      const glm::vec4& over = layers.over.at(x, y);
-      const glm::vec3& difference = layers.difference.at(x, y);
-      if (over == glm::vec4(0.0f) && difference == glm::vec3(0.0f)) continue;
-      const glm::vec3 camera = scene::srgb_decode(camera_image.at(x, y));
-      out.at(x, y) = scene::srgb_encode(glm::vec3(over) + (1.0f - over.w) * camera + difference);
+  const std::vector<std::size_t> tiles = layers.present();
+  tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t i) {
+    const core::LayerTile& tile = *layers.find(tiles[i]);
+    const glm::ivec2 first = layers.grid().first_pixel(tiles[i]);
+    const glm::ivec2 end = layers.grid().end_pixel(tiles[i]);
+    for (int y = first.y; y < end.y; ++y) {
+      for (int x = first.x; x < end.x; ++x) {
+        const glm::vec4& over = tile.over[core::LayerTile::index(x, y)];
+        const glm::vec3& difference = tile.difference[core::LayerTile::index(x, y)];
+        if (over == glm::vec4(0.0f) && difference == glm::vec3(0.0f)) continue;
+        const glm::vec3 camera = scene::srgb_decode(camera_image.at(x, y));
+        out.at(x, y) = scene::srgb_encode(glm::vec3(over) + (1.0f - over.w) * camera + difference);
+      }
     }
   });
   return out;

@@ -6,20 +6,14 @@ namespace amalgam::passes {
 namespace {
 
 void add(Layers& sum, const Layers& part) {
-  const auto over = part.over.pixels();
-  std::transform(over.begin(), over.end(), sum.over.data(), sum.over.data(), std::plus<>());
-  const auto difference = part.difference.pixels();
-  std::transform(difference.begin(), difference.end(), sum.difference.data(), sum.difference.data(),
-                 std::plus<>());
-}
-
-bool is_zero(const Layers& layers) {
-  const auto over = layers.over.pixels();
-  const auto difference = layers.difference.pixels();
-  return std::all_of(over.begin(), over.end(),
-                     [](const glm::vec4& v) { return v == glm::vec4(0.0f); }) &&
-         std::all_of(difference.begin(), difference.end(),
-                     [](const glm::vec3& v) { return v == glm::vec3(0.0f); });
+  for (const std::size_t tile : part.present()) {
+    const core::LayerTile& from = *part.find(tile);
+    core::LayerTile& to = sum.make(tile);
+    std::transform(from.over.begin(), from.over.end(), to.over.begin(), to.over.begin(),
+                   std::plus<>());
+    std::transform(from.difference.begin(), from.difference.end(), to.difference.begin(),
+                   to.difference.begin(), std::plus<>());
+  }
 }
 
 }  // namespace
@@ -41,7 +35,7 @@ graph::Handle<Layers> add_merge_pass(graph::FrameGraph& graph, const MergeInputs
         sum = traced->layers;
       }
     }
-    if (is_zero(sum)) {
+    if (sum.is_zero()) {
       access.leave_empty(out, "nothing virtual has an effect on this frame");
     } else {
       access.set(out, std::move(sum));

@@ -8,14 +8,12 @@ namespace amalgam::passes {
 namespace {
 
 bool shows_something(const core::Layers& layers, glm::ivec2 p) {
-  return layers.over.at(p.x, p.y) != glm::vec4(0.0f) ||
-         layers.difference.at(p.x, p.y) != glm::vec3(0.0f);
+  return layers.over(p.x, p.y) != glm::vec4(0.0f) || layers.difference(p.x, p.y) != glm::vec3(0.0f);
 }
 
 float layer_step(const core::Layers& layers, glm::ivec2 p, glm::ivec2 q) {
-  const glm::vec4 over = glm::abs(layers.over.at(p.x, p.y) - layers.over.at(q.x, q.y));
-  const glm::vec3 difference =
-      glm::abs(layers.difference.at(p.x, p.y) - layers.difference.at(q.x, q.y));
+  const glm::vec4 over = glm::abs(layers.over(p.x, p.y) - layers.over(q.x, q.y));
+  const glm::vec3 difference = glm::abs(layers.difference(p.x, p.y) - layers.difference(q.x, q.y));
   return std::max({over.x, over.y, over.z, over.w, difference.x, difference.y, difference.z});
 }
 
@@ -41,8 +39,7 @@ void replace_marked(core::Layers& layers, const core::Layers& refined,
   for (int y = 0; y < marked.height(); ++y) {
     for (int x = 0; x < marked.width(); ++x) {
       if (marked.at(x, y) == 0) continue;
-      layers.over.at(x, y) = refined.over.at(x, y);
-      layers.difference.at(x, y) = refined.difference.at(x, y);
+      layers.set(x, y, refined.over(x, y), refined.difference(x, y));
     }
   }
 }
@@ -51,7 +48,7 @@ void replace_marked(core::Layers& layers, const core::Layers& refined,
 
 core::Image<std::uint8_t> find_edges(const core::Layers& layers, const trace::FirstHits* hits,
                                      float threshold) {
-  core::Image<std::uint8_t> edges(layers.over.width(), layers.over.height());
+  core::Image<std::uint8_t> edges(layers.size().x, layers.size().y);
   const auto compare = [&](glm::ivec2 p, glm::ivec2 q) {
     const bool differs =
         layer_step(layers, p, q) > threshold || (hits != nullptr && is_other_surface(*hits, p, q));

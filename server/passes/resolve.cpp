@@ -26,14 +26,21 @@ void draw_layers(const ResolveInputs& in, DeviceImage mixed, DeviceImage real, f
 }
 
 // The difference is kept as RGB; its alpha carries how many values were replaced.
-std::pair<core::ImageRgb32f, std::uint64_t> split(const core::ImageRgba32f& image) {
-  core::ImageRgb32f colors(image.width(), image.height());
+std::pair<Layers, std::uint64_t> read_layers(const gl::Texture& over_texture,
+                                             const gl::Texture& difference_texture) {
+  const core::ImageRgba32f over = read_rgba(&over_texture);
+  const core::ImageRgba32f difference = read_rgba(&difference_texture);
+  Layers layers(over.size());
   double replaced = 0.0;
-  for (std::size_t i = 0; i < image.pixels().size(); ++i) {
-    colors.pixels()[i] = glm::vec3(image.pixels()[i]);
-    replaced += static_cast<double>(image.pixels()[i].w);
+  for (int y = 0; y < over.height(); ++y) {
+    for (int x = 0; x < over.width(); ++x) {
+      const glm::vec3 color(difference.at(x, y));
+      replaced += static_cast<double>(difference.at(x, y).w);
+      if (over.at(x, y) == glm::vec4(0.0f) && color == glm::vec3(0.0f)) continue;
+      layers.set(x, y, over.at(x, y), color);
+    }
   }
-  return {std::move(colors), static_cast<std::uint64_t>(std::llround(replaced))};
+  return {std::move(layers), static_cast<std::uint64_t>(std::llround(replaced))};
 }
 
 }  // namespace
@@ -54,10 +61,7 @@ ResolveOutputs add_resolve_pass(graph::FrameGraph& graph, const ResolveInputs& i
         ensure_target(targets.difference, gl::TextureFormat::Rgba32f, size);
     draw_layers(in, access.get(in.diffuse.mixed), access.get(in.diffuse.real),
                 access.get(in.exposure), over, difference);
-    Layers layers;
-    layers.over = read_rgba(&over);
-    auto [colors, replaced] = split(read_rgba(&difference));
-    layers.difference = std::move(colors);
+    auto [layers, replaced] = read_layers(over, difference);
     access.set(out.layers, std::move(layers));
     access.set(out.nonfinite, replaced);
   });

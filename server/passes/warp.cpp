@@ -9,13 +9,13 @@
 namespace amalgam::passes {
 namespace {
 
-template <typename Pixel>
-Pixel bilinear(const core::Image<Pixel>& image, const glm::vec2& at) {
+template <typename Pixel, typename At>
+Pixel bilinear(glm::ivec2 size, const At& pixel_at, const glm::vec2& at) {
   const float floor_x = std::floor(at.x), floor_y = std::floor(at.y);
   const int x = static_cast<int>(floor_x), y = static_cast<int>(floor_y);
   const auto texel = [&](int i, int j) {
-    const bool inside = i >= 0 && j >= 0 && i < image.width() && j < image.height();
-    return inside ? image.at(i, j) : Pixel(0.0f);
+    const bool inside = i >= 0 && j >= 0 && i < size.x && j < size.y;
+    return inside ? pixel_at(i, j) : Pixel(0.0f);
   };
   const float fx = at.x - floor_x, fy = at.y - floor_y;
   return glm::mix(glm::mix(texel(x, y), texel(x + 1, y), fx),
@@ -39,14 +39,20 @@ core::Image<glm::vec2> make_warp_map(const core::CameraModel& camera,
 }
 
 Layers warp_layers(const Layers& ideal_layers, const core::Image<glm::vec2>& map) {
-  Layers warped{core::ImageRgba32f(map.width(), map.height(), glm::vec4(0.0f)),
-                core::ImageRgb32f(map.width(), map.height(), glm::vec3(0.0f))};
-  tbb::parallel_for(0, map.height(), [&](int y) {
-    for (int x = 0; x < map.width(); ++x) {
-      const glm::vec2 at = map.at(x, y);
-      if (!(std::abs(at.x) < 1e6f) || !(std::abs(at.y) < 1e6f)) continue;
-      warped.over.at(x, y) = bilinear(ideal_layers.over, at);
-      warped.difference.at(x, y) = bilinear(ideal_layers.difference, at);
+  Layers warped(map.size());
+  const auto over_at = [&](int x, int y) { return ideal_layers.over(x, y); };
+  const auto difference_at = [&](int x, int y) { return ideal_layers.difference(x, y); };
+  tbb::parallel_for(std::size_t{0}, warped.grid().count(), [&](std::size_t tile) {
+    const glm::ivec2 first = warped.grid().first_pixel(tile), end = warped.grid().end_pixel(tile);
+    for (int y = first.y; y < end.y; ++y) {
+      for (int x = first.x; x < end.x; ++x) {
+        const glm::vec2 at = map.at(x, y);
+        if (!(std::abs(at.x) < 1e6f) || !(std::abs(at.y) < 1e6f)) continue;
+        const auto over = bilinear<glm::vec4>(ideal_layers.size(), over_at, at);
+        const auto difference = bilinear<glm::vec3>(ideal_layers.size(), difference_at, at);
+        if (over == glm::vec4(0.0f) && difference == glm::vec3(0.0f)) continue;
+        warped.set(x, y, over, difference);
+      }
     }
   });
   return warped;

@@ -55,8 +55,8 @@ void Tile::generate_primary_rays() {
   const glm::dmat4 world_from_camera = core::rigid_inverse(request_.camera_from_world);
   const glm::dmat3 rotation(world_from_camera);
   const glm::dvec3 eye(world_from_camera[3]);
-  const int right = std::min(x_ + kTileSide, request_.camera.width);
-  const int bottom = std::min(y_ + kTileSide, request_.camera.height);
+  const int right = std::min(x_ + core::kTileSide, request_.camera.width);
+  const int bottom = std::min(y_ + core::kTileSide, request_.camera.height);
   for (int y = y_; y < bottom; ++y) {
     for (int x = x_; x < right; ++x) {
       bool first = true;

@@ -3,12 +3,11 @@
 
 #include <vector>
 
+#include "core/tile_grid.h"
 #include "trace/tracer.h"
 #include "trace/work_items.h"
 
 namespace amalgam::trace {
-
-inline constexpr int kTileSide = 16;  // pixels
 
 // What a tile adds to the TraceResult of the same names.
 struct TileCounts {

@@ -25,18 +25,19 @@ std::uint64_t replace_nonfinite(glm::vec3& value) {
 void Tile::resolve(TraceResult& result) {
   const int n = request_.samples_per_side;
   const float share = 1.0f / static_cast<float>(n * n);
+  if (samples_.empty()) return;
+  core::LayerTile& layers = result.layers.make(result.layers.grid().tile_of(x_, y_));
   for (std::size_t s = 0; s < samples_.size(); ++s) {
     SampleResult& sample = samples_[s];
     const SamplePlace& place = places_[s];
+    const std::size_t pixel = core::LayerTile::index(place.pixel_x, place.pixel_y);
     counts_.nonfinite += replace_nonfinite(sample.mixed) + replace_nonfinite(sample.real) +
                          replace_nonfinite(sample.environment_reflection);
     const glm::vec3 mixed = scene::tone_map(sample.mixed, request_.exposure);
     if (sample.met_virtual) {
-      result.layers.over.at(place.pixel_x, place.pixel_y) +=
-          share * glm::vec4(mixed + sample.environment_reflection, 1.0f);
+      layers.over[pixel] += share * glm::vec4(mixed + sample.environment_reflection, 1.0f);
     } else {
-      result.layers.difference.at(place.pixel_x, place.pixel_y) +=
-          share * (mixed - scene::tone_map(sample.real, request_.exposure));
+      layers.difference[pixel] += share * (mixed - scene::tone_map(sample.real, request_.exposure));
     }
     for (std::size_t k = 0; result.provenance && k < core::kLightSources; ++k) {
       result.provenance->at(place.pixel_x, place.pixel_y)[k] += share * sample.provenance[k];
@@ -55,8 +56,7 @@ void Tile::resolve(TraceResult& result) {
 TraceResult trace(const TraceRequest& request) {
   const int width = request.camera.width, height = request.camera.height;
   TraceResult result;
-  result.layers.over = core::ImageRgba32f(width, height, glm::vec4(0.0f));
-  result.layers.difference = core::ImageRgb32f(width, height, glm::vec3(0.0f));
+  result.layers = core::Layers({width, height});
   if (request.keep_images) {
     result.images =
         TracedImages{core::ImageRgb32f(width, height), core::ImageRgba32f(width, height),
@@ -68,13 +68,11 @@ TraceResult trace(const TraceRequest& request) {
   const Media camera_media =
       media_at(request.scene, glm::vec3(core::rigid_inverse(request.camera_from_world)[3]));
 
-  const int across = (width + kTileSide - 1) / kTileSide,
-            down = (height + kTileSide - 1) / kTileSide;
-  std::vector<TileCounts> counts(static_cast<std::size_t>(across) * static_cast<std::size_t>(down));
+  const core::TileGrid& grid = result.layers.grid();
+  std::vector<TileCounts> counts(grid.count());
   tbb::parallel_for(std::size_t{0}, counts.size(), [&](std::size_t index) {
-    const int tile_x = static_cast<int>(index) % across, tile_y = static_cast<int>(index) / across;
-    Tile tile(request, lookup ? &*lookup : nullptr, camera_media, tile_x * kTileSide,
-              tile_y * kTileSide);
+    const glm::ivec2 first = grid.first_pixel(index);
+    Tile tile(request, lookup ? &*lookup : nullptr, camera_media, first.x, first.y);
     tile.trace();
     tile.resolve(result);
     counts[index] = tile.counts();

@@ -14,8 +14,7 @@ core::ImageRgb8 all_bytes() {
 }
 
 core::Layers empty_layers(int width, int height) {
-  return {core::ImageRgba32f(width, height, glm::vec4(0.0f)),
-          core::ImageRgb32f(width, height, glm::vec3(0.0f))};
+  return core::Layers({width, height});
 }
 
 TEST(Composite, EmptyLayersLeaveEveryByteAlone) {
@@ -25,16 +24,16 @@ TEST(Composite, EmptyLayersLeaveEveryByteAlone) {
 // A difference far below one step of a byte still goes the whole way through decode and encode.
 TEST(Composite, DecodeAndEncodeKeepEveryByte) {
   core::Layers layers = empty_layers(256, 1);
-  for (auto& difference : layers.difference.pixels()) difference = glm::vec3(1e-9f);
+  for (int x = 0; x < 256; ++x) layers.set(x, 0, glm::vec4(0.0f), glm::vec3(1e-9f));
   EXPECT_EQ(composite(layers, all_bytes()), all_bytes());
 }
 
 // Eq. 4.5 for a covered, a half-covered and an uncovered pixel.
 TEST(Composite, CoversAddsAndMixes) {
   core::Layers layers = empty_layers(3, 1);
-  layers.over.at(0, 0) = glm::vec4(0.2f, 0.4f, 0.6f, 1.0f);
-  layers.over.at(1, 0) = glm::vec4(0.1f, 0.2f, 0.3f, 0.5f);
-  layers.difference.at(2, 0) = glm::vec3(-0.1f, 0.0f, 0.1f);
+  layers.set(0, 0, glm::vec4(0.2f, 0.4f, 0.6f, 1.0f), glm::vec3(0.0f));
+  layers.set(1, 0, glm::vec4(0.1f, 0.2f, 0.3f, 0.5f), glm::vec3(0.0f));
+  layers.set(2, 0, glm::vec4(0.0f), glm::vec3(-0.1f, 0.0f, 0.1f));
   const core::ImageRgb8 camera(3, 1, scene::srgb_encode(glm::vec3(0.5f)));
   const glm::vec3 seen = scene::srgb_decode(camera.at(0, 0));
   const core::ImageRgb8 out = composite(layers, camera);
@@ -46,15 +45,16 @@ TEST(Composite, CoversAddsAndMixes) {
 // A bright object on a dark image: the half-covered pixel lies between the two, without a rim.
 TEST(Composite, HalfCoverageHasNoRim) {
   core::Layers layers = empty_layers(1, 1);
-  layers.over.at(0, 0) = glm::vec4(glm::vec3(0.45f), 0.5f);  // an object of 0.9 over half the pixel
+  layers.set(0, 0, glm::vec4(glm::vec3(0.45f), 0.5f),
+             glm::vec3(0.0f));  // an object of 0.9 over half the pixel
   const core::ImageRgb8 out = composite(layers, core::ImageRgb8(1, 1, core::Rgb8(0)));
   EXPECT_EQ(out.at(0, 0), scene::srgb_encode(glm::vec3(0.45f)));
 }
 
 TEST(Composite, ClampsToWhatAByteHolds) {
   core::Layers layers = empty_layers(2, 1);
-  layers.difference.at(0, 0) = glm::vec3(5.0f);
-  layers.difference.at(1, 0) = glm::vec3(-5.0f);
+  layers.set(0, 0, glm::vec4(0.0f), glm::vec3(5.0f));
+  layers.set(1, 0, glm::vec4(0.0f), glm::vec3(-5.0f));
   const core::ImageRgb8 out = composite(layers, core::ImageRgb8(2, 1, core::Rgb8(100)));
   EXPECT_EQ(out.at(0, 0), core::Rgb8(255));
   EXPECT_EQ(out.at(1, 0), core::Rgb8(0));

@@ -10,8 +10,7 @@ namespace {
 constexpr int kWidth = 8, kHeight = 6;
 
 core::Layers empty_layers() {
-  return {core::ImageRgba32f(kWidth, kHeight, glm::vec4(0.0f)),
-          core::ImageRgb32f(kWidth, kHeight, glm::vec3(0.0f))};
+  return core::Layers({kWidth, kHeight});
 }
 trace::FirstHits one_surface() {
   return {core::Image<std::uint32_t>(kWidth, kHeight, 3u), core::Image32f(kWidth, kHeight, 1.0f)};
@@ -32,7 +31,7 @@ TEST(FindEdges, NothingVirtualHasNoEdges) {
 TEST(FindEdges, AStepInColourMarksBothSides) {
   core::Layers layers = empty_layers();
   for (int y = 0; y < kHeight; ++y) {
-    for (int x = 4; x < kWidth; ++x) layers.difference.at(x, y) = glm::vec3(-0.1f);
+    for (int x = 4; x < kWidth; ++x) layers.set(x, y, glm::vec4(0.0f), glm::vec3(-0.1f));
   }
   const auto edges = find_edges(layers, nullptr, 0.03f);
   EXPECT_EQ(count(edges), 2 * kHeight);
@@ -43,7 +42,11 @@ TEST(FindEdges, AStepInColourMarksBothSides) {
 
 TEST(FindEdges, AnotherObjectOrDistanceIsAnEdgeAtAnyColour) {
   core::Layers layers = empty_layers();
-  for (auto& over : layers.over.pixels()) over = glm::vec4(0.3f, 0.3f, 0.3f, 1.0f);
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      layers.set(x, y, glm::vec4(0.3f, 0.3f, 0.3f, 1.0f), glm::vec3(0.0f));
+    }
+  }
   trace::FirstHits hits = one_surface();
   hits.instance.at(4, 3) = 5;
   EXPECT_EQ(count(find_edges(layers, &hits, 0.03f)), 5) << "the pixel and its four neighbours";

@@ -64,14 +64,14 @@ TEST(ResolvePass, AveragesTheSamplesOfAPixel) {
     const float exposure = 0.7f;
     const RasterFrame frame = rig.render(desk.view(n), exposure);
     ASSERT_TRUE(frame.layers);
-    ASSERT_EQ(frame.layers->over.size(), glm::ivec2(60, 45));
+    ASSERT_EQ(frame.layers->size(), glm::ivec2(60, 45));
     int partly = 0;
     for (int y = 0; y < 45; ++y) {
       for (int x = 0; x < 60; ++x) {
         const Expected expected = resolve(frame, x, y, n, exposure);
-        ASSERT_LT(glm::distance(frame.layers->over.at(x, y), expected.over), 1e-6f);
-        ASSERT_LT(glm::distance(frame.layers->difference.at(x, y), expected.difference), 1e-6f);
-        const float coverage = frame.layers->over.at(x, y).w;
+        ASSERT_LT(glm::distance(frame.layers->over(x, y), expected.over), 1e-6f);
+        ASSERT_LT(glm::distance(frame.layers->difference(x, y), expected.difference), 1e-6f);
+        const float coverage = frame.layers->over(x, y).w;
         partly += coverage > 0.0f && coverage < 1.0f ? 1 : 0;
       }
     }
@@ -89,7 +89,7 @@ TEST(ResolvePass, ChangesNothingOutOfReachOfVirtualObjects) {
   int untouched = 0, shadowed = 0;
   for (int y = 0; y < 45; ++y) {
     for (int x = 0; x < 60; ++x) {
-      const glm::vec3 difference = frame.layers->difference.at(x, y);
+      const glm::vec3 difference = frame.layers->difference(x, y);
       untouched += difference == glm::vec3(0.0f) ? 1 : 0;
       shadowed += difference.x < 0.0f ? 1 : 0;
       ASSERT_LE(difference.x, 0.0f);  // only shadows here
@@ -110,8 +110,8 @@ TEST(ResolvePass, IsZeroOnSpecularSamples) {
     for (int x = 0; x < 60; ++x) {
       if ((frame.mask->flags.at(x, y) & SampleMask::kSpecular) == 0) continue;
       ++specular;
-      ASSERT_EQ(frame.layers->over.at(x, y), glm::vec4(0.0f));
-      ASSERT_EQ(frame.layers->difference.at(x, y), glm::vec3(0.0f));
+      ASSERT_EQ(frame.layers->over(x, y), glm::vec4(0.0f));
+      ASSERT_EQ(frame.layers->difference(x, y), glm::vec3(0.0f));
     }
   }
   EXPECT_GT(specular, 20);
@@ -131,8 +131,9 @@ TEST(ResolvePass, GivesTheSameAveragesForAnyNumberOfSamples) {
   const Layers one = render(1);
   for (const int n : {2, 4}) {
     const Layers more = render(n);
-    for (std::size_t i = 0; i < one.over.pixels().size(); ++i) {
-      ASSERT_LT(glm::distance(one.over.pixels()[i], more.over.pixels()[i]), 1e-6f);
+    const core::ImageRgba32f one_over = one.over_image(), more_over = more.over_image();
+    for (std::size_t i = 0; i < one_over.pixels().size(); ++i) {
+      ASSERT_LT(glm::distance(one_over.pixels()[i], more_over.pixels()[i]), 1e-6f);
     }
   }
 }
@@ -146,10 +147,12 @@ TEST(ResolvePass, ReplacesWhatIsNotFinite) {
   view.lights[1].intensity = glm::vec3(std::numeric_limits<float>::quiet_NaN(), 1.0f, 1.0f);
   const RasterFrame frame = rig.render(view);
   EXPECT_GT(frame.nonfinite, 0u);
-  for (const glm::vec4& pixel : frame.layers->over.pixels()) {
+  const core::ImageRgba32f over = frame.layers->over_image();
+  const core::ImageRgb32f difference = frame.layers->difference_image();
+  for (const glm::vec4& pixel : over.pixels()) {
     for (int i = 0; i < 4; ++i) ASSERT_TRUE(std::isfinite(pixel[i]));
   }
-  for (const glm::vec3& pixel : frame.layers->difference.pixels()) {
+  for (const glm::vec3& pixel : difference.pixels()) {
     for (int i = 0; i < 3; ++i) ASSERT_TRUE(std::isfinite(pixel[i]));
   }
 }
