@@ -7,14 +7,20 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <vector>
+#include <optional>
 
 #include "core/provenance.h"
+#include "trace/camera_lookup.h"
 #include "trace/embree_scene.h"
 #include "trace/media.h"
 #include "trace/surface_point.h"
 
 namespace amalgam::trace {
+
+// A weight as one number: its share of the sample's light.
+inline float mean_channel(const glm::vec3& weight) {
+  return (weight.x + weight.y + weight.z) / 3.0f;
+}
 
 enum class RayKind : std::uint8_t { Primary, Reflection, Refraction };
 
@@ -33,6 +39,13 @@ struct RayItem {
   std::uint32_t sample = 0;
   std::uint16_t depth = 0;  // specular surfaces met so far
   RayKind kind = RayKind::Primary;
+};
+
+// What a ray met, and with which share of its sample it arrived there.
+struct MetSurface {
+  SurfacePoint point;
+  glm::vec3 weight{0.0f};
+  double path_length = 0.0;  // metres from the camera
 };
 
 // A ray that meets nothing any more, or is cut off: takes the environment in its direction.
@@ -58,6 +71,7 @@ struct DiffuseItem {
   glm::vec3 weight{0.0f};
   std::uint32_t sample = 0;
   RealColor real_color = RealColor::LookedUp;
+  std::optional<CameraSample> seen{};  // of a real surface: the camera's colour there
 };
 
 struct ShadowItem {
