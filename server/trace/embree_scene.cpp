@@ -33,8 +33,7 @@ void report_error(void*, RTCError code, const char* text) {
 }
 
 // Robust: no cracks at shared edges (numerics B11). The filter is find_all()'s.
-const RTCSceneFlags kSceneFlags =
-    RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION;
+const RTCSceneFlags kSceneFlags = RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION;
 
 // Copies a mesh's data into buffers that Embree owns (it reads 16 bytes past the last vertex
 // otherwise).
@@ -131,13 +130,14 @@ void write_down(const RTCFilterFunctionNArguments* arguments) {
 
 }  // namespace
 
-PlacedInstance::PlacedInstance(const glm::mat4& placement)
-    : world_from_mesh(placement),
-      mesh_from_world(glm::inverse(world_from_mesh)),
-      normal_from_mesh(normal_matrix(placement)),
-      stretch(std::max({largest_element(world_from_mesh[0]), largest_element(world_from_mesh[1]),
-                        largest_element(world_from_mesh[2])})),
-      reach(largest_element(world_from_mesh[3])) {}
+void PlacedInstance::place(const glm::mat4& placement) {
+  world_from_mesh = placement;
+  mesh_from_world = glm::inverse(world_from_mesh);
+  normal_from_mesh = normal_matrix(placement);
+  stretch = std::max({largest_element(world_from_mesh[0]), largest_element(world_from_mesh[1]),
+                      largest_element(world_from_mesh[2])});
+  reach = largest_element(world_from_mesh[3]);
+}
 
 struct EmbreeScene::Impl {
   Device device;
@@ -173,9 +173,14 @@ EmbreeScene::EmbreeScene(const scene::Scene& scene)
   }
   rtcCommitScene(impl_->top.get());
 
-  for (const scene::Instance& instance : scene.instances) {
+  for (const scene::Mesh& mesh : scene.meshes) triangles_.push_back(mesh_triangles(mesh));
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    const scene::Instance& instance = scene.instances[i];
+    placed_[i].triangles = triangles_[instance.mesh].data();
+    placed_[i].material = instance.material;
+    placed_[i].role = instance.role;
+    placed_[i].textured = is_textured_instance(scene, instance);
     const bool passes = passes_light(scene.materials[instance.material]);
-    textured_.push_back(is_textured_instance(scene, instance) ? 1 : 0);
     ends_light_.push_back(!passes && instance.role == scene::Role::Real ? 1 : 0);
     anything_passes_light_ = anything_passes_light_ || passes;
   }
@@ -201,7 +206,7 @@ void EmbreeScene::place(const scene::AnchoredScene& anchored) {
     if (next[i] == last_placed_[i]) continue;
     RTCGeometry geometry = impl_->instances[i].get();
     if (next[i]) {
-      placed_[i] = PlacedInstance(*next[i]);
+      placed_[i].place(*next[i]);
       rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR,
                               glm::value_ptr(*next[i]));
       rtcEnableGeometry(geometry);

@@ -17,6 +17,7 @@
 
 #include "scene/anchored_scene.h"
 #include "scene/scene.h"
+#include "trace/mesh_triangle.h"
 
 namespace amalgam::trace {
 
@@ -39,8 +40,7 @@ struct Hit {
 
 // An instance placed in the world.
 struct PlacedInstance {
-  PlacedInstance() = default;
-  explicit PlacedInstance(const glm::mat4& placement);
+  void place(const glm::mat4& placement);
 
   glm::dmat4 world_from_mesh{1.0};
   glm::dmat4 mesh_from_world{1.0};
@@ -49,6 +49,11 @@ struct PlacedInstance {
   glm::dmat3 normal_from_mesh{1.0};
   double stretch = 1.0;  // largest element of the linear part
   double reach = 0.0;    // largest coordinate of the translation, metres
+
+  const MeshTriangle* triangles = nullptr;  // the mesh's
+  std::uint32_t material = 0;               // index into Scene::materials
+  scene::Role role = scene::Role::Virtual;
+  bool textured = false;  // the material varies over the surface: textures or vertex colours
 };
 
 // What a straight way meets. More than it has room for is not kept, but noticed.
@@ -95,9 +100,10 @@ class EmbreeScene {
   const scene::Scene& scene() const { return scene_; }
   // Whether light passes anything of the scene: glass, or surfaces with holes.
   bool anything_passes_light() const { return anything_passes_light_; }
-  // Whether the instance's material varies over its surface: textures or vertex colours.
-  bool is_textured(std::uint32_t instance) const { return textured_[instance] != 0; }
   const PlacedInstance& placed(std::uint32_t instance) const { return placed_[instance]; }
+  const MeshTriangle& triangle(const Hit& hit) const {
+    return placed_[hit.instance].triangles[hit.triangle];
+  }
 
  private:
   struct Impl;
@@ -105,9 +111,9 @@ class EmbreeScene {
   Placements placements(const scene::AnchoredScene& anchored) const;
 
   const scene::Scene& scene_;
+  std::vector<std::vector<MeshTriangle>> triangles_;  // by Scene::meshes
   // By Scene::instances.
   std::vector<PlacedInstance> placed_;
-  std::vector<std::uint8_t> textured_;
   std::vector<std::uint8_t> ends_light_;  // real, and no light ever passes it
   bool anything_passes_light_ = false;
   Placements last_placed_;

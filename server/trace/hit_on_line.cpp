@@ -15,10 +15,9 @@ struct Triangle {
 };
 
 Triangle triangle_of(const EmbreeScene& scene, const Hit& hit) {
-  const scene::Mesh& mesh = scene.scene().meshes[scene.scene().instances[hit.instance].mesh];
-  const glm::uvec3 corners = mesh.triangles[hit.triangle];
-  const glm::dvec3 a(mesh.positions[corners.x]);
-  return {a, glm::dvec3(mesh.positions[corners.y]) - a, glm::dvec3(mesh.positions[corners.z]) - a};
+  const auto& corners = scene.triangle(hit).corners;
+  const glm::dvec3 a(corners[0]);
+  return {a, glm::dvec3(corners[1]) - a, glm::dvec3(corners[2]) - a};
 }
 
 bool is_finite(const Hit& hit) {

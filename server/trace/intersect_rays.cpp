@@ -25,8 +25,12 @@ void Tile::intersect_rays() {
   for (const RayItem& item : batch_) {
     ++count_of(counts_.rays, item.kind);
     log(item.ray, RayQuery::Nearest);
-    std::optional<Hit>& hit =
-        hits_.emplace_back(request_.scene.intersect(item.ray, Visible::Everything));
+    hits_.push_back(request_.scene.intersect(item.ray, Visible::Everything));
+    if (hits_.back()) request_.scene.triangle(*hits_.back()).prefetch();
+  }
+  for (std::size_t i = 0; i < batch_.size(); ++i) {
+    const RayItem& item = batch_[i];
+    std::optional<Hit>& hit = hits_[i];
     if (!hit) continue;
     hit->t += glm::distance(item.start, glm::dvec3(item.ray.origin));
     hit = hit_on_line(request_.scene, *hit, item.start, item.direction, Visible::Everything);

@@ -52,11 +52,9 @@ void pass_surface(const EmbreeScene& scene, const Hit& hit, const glm::dvec3& di
 }
 
 bool is_front(const EmbreeScene& scene, const Hit& hit, const glm::dvec3& direction) {
-  const scene::Mesh& mesh = scene.scene().meshes[scene.scene().instances[hit.instance].mesh];
-  const glm::uvec3 corners = mesh.triangles[hit.triangle];
-  const glm::dvec3 a(mesh.positions[corners.x]);
-  const glm::dvec3 area = glm::cross(glm::dvec3(mesh.positions[corners.y]) - a,
-                                     glm::dvec3(mesh.positions[corners.z]) - a);
+  const auto& corners = scene.triangle(hit).corners;
+  const glm::dvec3 a(corners[0]);
+  const glm::dvec3 area = glm::cross(glm::dvec3(corners[1]) - a, glm::dvec3(corners[2]) - a);
   return glm::dot(scene.placed(hit.instance).normal_from_mesh * area, direction) < 0.0;
 }
 
@@ -102,7 +100,7 @@ ShadowAttenuation trace_shadow(const EmbreeScene& scene, const glm::dvec3& start
   for (Hit& hit : surfaces.hits()) hit.t += ahead;
   Solution real, virtual_only;
   for (const Hit& hit : put_in_order(scene, start, direction, surfaces.hits())) {
-    const scene::Role role = scene.scene().instances[hit.instance].role;
+    const scene::Role role = scene.placed(hit.instance).role;
     pass_surface(scene, hit, direction, role == scene::Role::Real ? real : virtual_only);
   }
   const glm::vec3 real_attenuation = real.attenuation();

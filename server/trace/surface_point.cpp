@@ -70,12 +70,9 @@ scene::PhongTerms phong_terms_at(const SurfacePoint& point, scene::MaterialKind 
 
 SurfacePoint surface_point(const EmbreeScene& scene, const Hit& hit, const glm::dvec3& direction,
                            double cone_width) {
-  const scene::Instance& instance = scene.scene().instances[hit.instance];
-  const scene::Mesh& mesh = scene.scene().meshes[instance.mesh];
   const PlacedInstance& placed = scene.placed(hit.instance);
-  const glm::uvec3 corners = mesh.triangles[hit.triangle];
-  const glm::dvec3 a(mesh.positions[corners.x]), b(mesh.positions[corners.y]),
-      c(mesh.positions[corners.z]);
+  const MeshTriangle& triangle = scene.triangle(hit);
+  const glm::dvec3 a(triangle.corners[0]), b(triangle.corners[1]), c(triangle.corners[2]);
   const glm::dvec3 edge_u = b - a, edge_v = c - a;
 
   SurfacePoint point;
@@ -92,13 +89,13 @@ SurfacePoint surface_point(const EmbreeScene& scene, const Hit& hit, const glm::
 
   const glm::dvec3 outside = unit(placed.normal_from_mesh * glm::cross(edge_u, edge_v));
   const glm::dvec3 interpolated =
-      interpolate(glm::dvec3(mesh.normals[corners.x]), glm::dvec3(mesh.normals[corners.y]),
-                  glm::dvec3(mesh.normals[corners.z]), at);
+      interpolate(glm::dvec3(triangle.normals[0]), glm::dvec3(triangle.normals[1]),
+                  glm::dvec3(triangle.normals[2]), at);
   glm::dvec3 smooth = placed.normal_from_mesh * interpolated;
   const double length2 = glm::dot(smooth, smooth);
   smooth = length2 > 0.0 ? smooth * (1.0 / std::sqrt(length2)) : outside;
 
-  if (scene.is_textured(hit.instance)) {
+  if (placed.textured) {
     const double world_area_per_mesh_area =
         glm::length(placed.normal_from_mesh * unit(glm::cross(edge_u, edge_v)));
     const Texels texels(scene.scene(), hit,
@@ -108,14 +105,14 @@ SurfacePoint surface_point(const EmbreeScene& scene, const Hit& hit, const glm::
     smooth = texels.bent_normal(smooth, placed);
     take_texels(texels, point);
   } else {
-    take_factors(scene.scene().materials[instance.material], point);
+    take_factors(scene.scene().materials[placed.material], point);
   }
   point.front = glm::dot(outside, direction) < 0.0;
   const double side = point.front ? 1.0 : -1.0;
   point.geometric_normal = side * outside;
   point.shading_normal = side * smooth;
-  point.material = instance.material;
-  point.role = instance.role;
+  point.material = placed.material;
+  point.role = placed.role;
   return point;
 }
 
