@@ -113,6 +113,7 @@ bool passes_light(const scene::Material& material) {
 // What find_all() hands through Embree to its filter.
 struct FindAllContext {
   RTCIntersectContext embree;  // first: Embree knows only this part
+  const EmbreeScene* scene = nullptr;
   PassedSurfaces* found = nullptr;
   const std::uint8_t* ends_light = nullptr;
 };
@@ -124,7 +125,9 @@ void write_down(const RTCFilterFunctionNArguments* arguments) {
   const auto* hit = reinterpret_cast<const RTCHit*>(arguments->hit);
   const unsigned instance = hit->instID[0];
   if (context.ends_light[instance] != 0) return;  // accepted: the query ends
-  context.found->add({instance, hit->primID, {hit->u, hit->v}, ray->tfar});
+  const Hit met{instance, hit->primID, {hit->u, hit->v}, ray->tfar};
+  context.scene->triangle(met).prefetch();
+  context.found->add(met);
   arguments->valid[0] = 0;
 }
 
@@ -245,7 +248,8 @@ bool EmbreeScene::is_occluded(const Ray& ray, Visible visible) const {
 bool EmbreeScene::find_all(const Ray& ray, Visible visible, PassedSurfaces& found) const {
   found.clear();
   if (!is_valid(ray)) return false;
-  FindAllContext context{.embree = {}, .found = &found, .ends_light = ends_light_.data()};
+  FindAllContext context{
+      .embree = {}, .scene = this, .found = &found, .ends_light = ends_light_.data()};
   rtcInitIntersectContext(&context.embree);
   context.embree.filter = write_down;
   RTCRay query{};

@@ -24,7 +24,7 @@ std::uint64_t& count_of(core::RayCounts& counts, RayKind kind) {
 void Tile::intersect_rays() {
   for (const RayItem& item : batch_) {
     ++count_of(counts_.rays, item.kind);
-    log(item.ray, RayQuery::Nearest);
+    log(item.ray, Visible::Everything, RayQuery::Nearest);
     hits_.push_back(request_.scene.intersect(item.ray, Visible::Everything));
     if (hits_.back()) request_.scene.triangle(*hits_.back()).prefetch();
   }

@@ -83,28 +83,64 @@ std::span<Hit> put_in_order(const EmbreeScene& scene, const glm::dvec3& start,
   return hits.first(static_cast<std::size_t>(last - hits.begin()));
 }
 
+// What the surfaces that find_all() met leave of the light, real and virtual ones apart.
+struct Solutions {
+  Solution real, virtual_only;
+};
+
+Solutions pass_surfaces(const EmbreeScene& scene, const glm::dvec3& start, const Ray& ray,
+                        PassedSurfaces& surfaces) {
+  Solutions solutions;
+  const glm::dvec3 direction(ray.direction);
+  const double ahead = glm::distance(start, glm::dvec3(ray.origin));
+  for (Hit& hit : surfaces.hits()) hit.t += ahead;
+  for (const Hit& hit : put_in_order(scene, start, direction, surfaces.hits())) {
+    const bool real = scene.placed(hit.instance).role == scene::Role::Real;
+    pass_surface(scene, hit, direction, real ? solutions.real : solutions.virtual_only);
+  }
+  return solutions;
+}
+
+// What the real surfaces on the way leave of the light.
+glm::vec3 real_attenuation(const EmbreeScene& scene, const glm::dvec3& start, const Ray& ray,
+                           PassedSurfaces& surfaces) {
+  if (!scene.anything_passes_light())
+    return glm::vec3(scene.is_occluded(ray, Visible::Real) ? 0.0f : 1.0f);
+  if (scene.find_all(ray, Visible::Real, surfaces) || surfaces.overflowed()) return glm::vec3(0.0f);
+  return pass_surfaces(scene, start, ray, surfaces).real.attenuation();
+}
+
+constexpr ShadowAttenuation kDark{glm::vec3(0.0f), glm::vec3(0.0f)};
+
 }  // namespace
 
 ShadowAttenuation trace_shadow(const EmbreeScene& scene, const glm::dvec3& start, const Ray& ray,
                                PassedSurfaces& surfaces) {
-  constexpr ShadowAttenuation kDark{glm::vec3(0.0f), glm::vec3(0.0f)};
   if (!scene.anything_passes_light()) {
     if (!scene.is_occluded(ray, Visible::Everything)) return {};
-    const bool real = scene.is_occluded(ray, Visible::Real);
-    return {glm::vec3(0.0f), glm::vec3(real ? 0.0f : 1.0f)};
+    return {glm::vec3(0.0f), real_attenuation(scene, start, ray, surfaces)};
   }
   if (scene.find_all(ray, Visible::Everything, surfaces) || surfaces.overflowed()) return kDark;
   if (surfaces.hits().empty()) return {};
-  const glm::dvec3 direction(ray.direction);
-  const double ahead = glm::distance(start, glm::dvec3(ray.origin));
-  for (Hit& hit : surfaces.hits()) hit.t += ahead;
-  Solution real, virtual_only;
-  for (const Hit& hit : put_in_order(scene, start, direction, surfaces.hits())) {
-    const scene::Role role = scene.placed(hit.instance).role;
-    pass_surface(scene, hit, direction, role == scene::Role::Real ? real : virtual_only);
+  const Solutions solutions = pass_surfaces(scene, start, ray, surfaces);
+  const glm::vec3 real = solutions.real.attenuation();
+  return {real * solutions.virtual_only.attenuation(), real};
+}
+
+ShadowAttenuation trace_shadow_change(const EmbreeScene& scene, const glm::dvec3& start,
+                                      const Ray& ray, PassedSurfaces& surfaces) {
+  glm::vec3 added(0.0f);
+  if (!scene.anything_passes_light()) {
+    if (!scene.is_occluded(ray, Visible::Virtual)) return {};
+  } else {
+    scene.find_all(ray, Visible::Virtual, surfaces);
+    if (surfaces.overflowed()) return kDark;
+    if (surfaces.hits().empty()) return {};
+    added = pass_surfaces(scene, start, ray, surfaces).virtual_only.attenuation();
+    if (added == glm::vec3(1.0f)) return {};
   }
-  const glm::vec3 real_attenuation = real.attenuation();
-  return {real_attenuation * virtual_only.attenuation(), real_attenuation};
+  const glm::vec3 real = real_attenuation(scene, start, ray, surfaces);
+  return {real * added, real};
 }
 
 }  // namespace amalgam::trace

@@ -15,4 +15,9 @@ namespace amalgam::trace {
 ShadowAttenuation trace_shadow(const EmbreeScene& scene, const glm::dvec3& start, const Ray& ray,
                                PassedSurfaces& surfaces);
 
+// The same where virtual objects take some of the light. Where they take none, what real ones take
+// is not asked, and both attenuations are 1.
+ShadowAttenuation trace_shadow_change(const EmbreeScene& scene, const glm::dvec3& start,
+                                      const Ray& ray, PassedSurfaces& surfaces);
+
 }  // namespace amalgam::trace

@@ -48,8 +48,8 @@ void Tile::take_batch() {
   shadows_.clear();
 }
 
-void Tile::log(const Ray& ray, RayQuery query) {
-  if (request_.ray_log != nullptr) logged_.push_back({ray, Visible::Everything, query});
+void Tile::log(const Ray& ray, Visible visible, RayQuery query) {
+  if (request_.ray_log != nullptr) logged_.push_back({ray, visible, query});
 }
 
 }  // namespace amalgam::trace

@@ -67,7 +67,7 @@ class Tile {
   void pass_straight(const RayItem& item, const SurfacePoint& point);
   void spawn(const RayItem& parent, const MetSurface& met, const glm::dvec3& direction,
              const glm::vec3& weight, RayKind kind, const Media& media);
-  void log(const Ray& ray, RayQuery query);
+  void log(const Ray& ray, Visible visible, RayQuery query);
 
   const scene::Material& material(std::uint32_t index) const {
     return request_.scene.scene().materials[index];

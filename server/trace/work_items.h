@@ -72,13 +72,17 @@ struct DiffuseItem {
   std::uint32_t sample = 0;
   RealColor real_color = RealColor::LookedUp;
   std::optional<CameraSample> seen{};  // of a real surface: the camera's colour there
+
+  // The camera says what the surface looks like; all that is asked of the lights is what virtual
+  // objects change in it.
+  bool only_change_counts() const { return seen && seen->trust == 1.0f; }
 };
 
 struct ShadowItem {
-  glm::dvec3 start{0.0};         // on the surface
-  Ray ray;                       // from a little further along
-  glm::vec3 contribution{0.0f};  // what the light adds if nothing is in the way
-  std::uint32_t diffuse = 0;     // index into the batch's DiffuseItems
+  glm::dvec3 start{0.0};       // on the surface
+  Ray ray;                     // from a little further along
+  glm::vec3 irradiance{0.0f};  // on a surface facing the light, if nothing is in the way
+  std::uint32_t diffuse = 0;   // index into the batch's DiffuseItems
 };
 
 // How much of a light arrives: with everything in the way, and with only what is real in the way
@@ -86,9 +90,11 @@ struct ShadowItem {
 struct ShadowAttenuation {
   glm::vec3 mixed{1.0f};
   glm::vec3 real{1.0f};
+  bool differs() const { return mixed != real; }
 };
 
-// Sums of a diffuse item over the lights.
+// Sums of a diffuse item over the lights: over all of them, or, where only mixed - real will count,
+// over those that virtual objects change.
 struct DiffuseRadiance {
   glm::vec3 mixed{0.0f};
   glm::vec3 real{0.0f};
