@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "codec/jpeg_camera.h"
 #include "codec/jpeg_patch.h"
-#include "codec/libjpeg.h"
 
 namespace amalgam::codec {
 namespace {
@@ -43,18 +43,14 @@ bool in_range(const JBLOCK& block) {
   return bits <= kMaxAc && block[0] >= kMinDc && block[0] <= kMaxDc;
 }
 
-bool coefficients_are_in_range(CoefficientReader& reader) {
+bool coefficients_are_in_range(CoefficientReader& reader, const McuGrid& grid) {
   bool good = true;
   reader.errors().guard("cannot read coefficients", [&] {
     for (int c = 0; c < reader.info().num_components; ++c) {
-      const jpeg_component_info& component = reader.info().comp_info[c];
-      for (int row = 0; row < static_cast<int>(reader.info().total_iMCU_rows); ++row) {
-        const JBLOCKARRAY blocks = reader.mcu_row(c, row);
-        for (int line = 0; line < component.v_samp_factor; ++line) {
-          for (JDIMENSION i = 0; i < component.width_in_blocks; ++i) {
-            good = good && in_range(blocks[line][i]);
-          }
-        }
+      const glm::ivec2 blocks = grid.blocks[static_cast<std::size_t>(c)];
+      for (int y = 0; y < grid.down * blocks.y; ++y) {
+        const JBLOCKROW row = reader.rows(c, y, 1)[0];
+        for (int x = 0; x < grid.across * blocks.x; ++x) good = good && in_range(row[x]);
       }
     }
   });
@@ -68,16 +64,22 @@ std::optional<JpegCoefficients> JpegCoefficients::read(std::span<const std::byte
   auto reader = std::make_unique<CoefficientReader>(jpeg);
   const J_COLOR_SPACE wanted =
       header.subsampling == JpegSubsampling::Grey ? JCS_GRAYSCALE : JCS_YCbCr;
+  const McuGrid grid(reader->info());
   if (reader->info().jpeg_color_space != wanted || !fits_one_scan(*reader) ||
-      !tables_are_encodable(*reader) || !coefficients_are_in_range(*reader)) {
+      !tables_are_encodable(*reader) || !coefficients_are_in_range(*reader, grid)) {
     return std::nullopt;
   }
-  return JpegCoefficients(header, std::move(reader));
+  SegmentedJpeg segments(write_coefficients(*reader, grid.segment));
+  return JpegCoefficients(std::make_unique<CameraJpeg>(
+      CameraJpeg{header, std::move(reader), grid, std::move(segments)}));
 }
 
-JpegCoefficients::JpegCoefficients(const JpegHeader& header,
-                                   std::unique_ptr<CoefficientReader> reader)
-    : header_(header), reader_(std::move(reader)) {}
+const JpegHeader& JpegCoefficients::header() const {
+  return camera_->header;
+}
+
+JpegCoefficients::JpegCoefficients(std::unique_ptr<CameraJpeg> camera)
+    : camera_(std::move(camera)) {}
 
 JpegCoefficients::JpegCoefficients(JpegCoefficients&&) noexcept = default;
 JpegCoefficients& JpegCoefficients::operator=(JpegCoefficients&&) noexcept = default;

@@ -32,7 +32,7 @@
 
 namespace amalgam::codec {
 
-class CoefficientReader;
+struct CameraJpeg;
 
 // A camera JPEG with its Huffman coding undone; the bytes it came from are not needed any more. At
 // most 2 bytes for each sample of the picture, 24 MiB at the limits of read_jpeg_header().
@@ -50,17 +50,16 @@ class JpegCoefficients {
   JpegCoefficients& operator=(JpegCoefficients&&) noexcept;
   ~JpegCoefficients();
 
-  const JpegHeader& header() const { return header_; }
+  const JpegHeader& header() const;
 
  private:
   friend std::optional<std::vector<std::byte>> patch_jpeg(JpegCoefficients camera,
                                                           const core::ImageRgb8& composite,
-                                                          std::span<const std::uint8_t> touched);
+                                                          std::span<const std::uint8_t> tiles);
 
-  JpegCoefficients(const JpegHeader& header, std::unique_ptr<CoefficientReader> reader);
+  explicit JpegCoefficients(std::unique_ptr<CameraJpeg> camera);
 
-  JpegHeader header_;
-  std::unique_ptr<CoefficientReader> reader_;
+  std::unique_ptr<CameraJpeg> camera_;
 };
 
 constexpr int kPatchTile = 16;  // pixels a side

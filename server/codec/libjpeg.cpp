@@ -69,10 +69,10 @@ CoefficientReader::~CoefficientReader() {
   jpeg_destroy_decompress(&info_);
 }
 
-JBLOCKARRAY CoefficientReader::mcu_row(int component, int row) {
-  const auto height = static_cast<JDIMENSION>(info_.comp_info[component].v_samp_factor);
+JBLOCKARRAY CoefficientReader::rows(int component, int first, int count) {
   return info_.mem->access_virt_barray(reinterpret_cast<j_common_ptr>(&info_), arrays_[component],
-                                       static_cast<JDIMENSION>(row) * height, height, TRUE);
+                                       static_cast<JDIMENSION>(first),
+                                       static_cast<JDIMENSION>(count), TRUE);
 }
 
 MemoryCompressor::MemoryCompressor(std::size_t expected) : bytes_(expected + 4096) {

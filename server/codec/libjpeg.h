@@ -69,10 +69,9 @@ class CoefficientReader {
     return {info_.comp_info, static_cast<std::size_t>(info_.num_components)};
   }
 
-  // Blocks are stored up to whole MCUs, so that a component has h_samp_factor columns and
-  // v_samp_factor rows of blocks for each MCU. Gives the rows of blocks of one row of MCUs. Valid
-  // until the next call; call it inside errors().guard().
-  JBLOCKARRAY mcu_row(int component, int row);
+  // Rows of blocks of a component, up to v_samp_factor of them; blocks are there up to whole MCUs.
+  // Valid until the next call. Call it inside errors().guard().
+  JBLOCKARRAY rows(int component, int first, int count);
 
  private:
   LibjpegErrors errors_;
