@@ -49,7 +49,7 @@ bool coefficients_are_in_range(CoefficientReader& reader, const McuGrid& grid) {
     for (int c = 0; c < reader.info().num_components; ++c) {
       const glm::ivec2 blocks = grid.blocks[static_cast<std::size_t>(c)];
       for (int y = 0; y < grid.down * blocks.y; ++y) {
-        const JBLOCKROW row = reader.rows(c, y, 1)[0];
+        const JBLOCKROW row = block_rows(reader.info(), reader.arrays()[c], y, 1, true)[0];
         for (int x = 0; x < grid.across * blocks.x; ++x) good = good && in_range(row[x]);
       }
     }

@@ -1,6 +1,9 @@
 #include "codec/jpeg_patch.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <string>
 
@@ -32,24 +35,31 @@ std::vector<bool> touched_mcus(const McuGrid& grid, std::span<const std::uint8_t
   return touched;
 }
 
-// The numbers of the segments to be made anew.
-struct Plan {
-  std::vector<int> whole;  // all MCUs touched
-  std::vector<int> mixed;
+// Segments to be made anew together, by their numbers.
+struct Job {
+  bool mixed = false;  // they have untouched MCUs too
+  std::vector<int> segments;
 };
 
-Plan make_plan(const McuGrid& grid, const std::vector<bool>& touched) {
-  Plan plan;
+std::vector<Job> make_jobs(const McuGrid& grid, const std::vector<bool>& touched) {
+  constexpr std::size_t kJobSegments = 48;  // enough that making an encoder does not count
+  std::vector<Job> jobs;
+  std::array<Job, 2> open{Job{false, {}}, Job{true, {}}};
   for (int i = 0; i < grid.segments(); ++i) {
     const auto begin = touched.begin() + i * grid.segment;
     const auto count = std::count(begin, begin + grid.segment, true);
-    if (count == grid.segment) {
-      plan.whole.push_back(i);
-    } else if (count > 0) {
-      plan.mixed.push_back(i);
+    if (count == 0) continue;
+    Job& job = open[count < grid.segment ? 1 : 0];
+    job.segments.push_back(i);
+    if (job.segments.size() == kJobSegments) {
+      jobs.push_back(job);
+      job.segments.clear();
     }
   }
-  return plan;
+  for (const Job& job : open) {
+    if (!job.segments.empty()) jobs.push_back(job);
+  }
+  return jobs;
 }
 
 bool is_grey(const core::ImageRgb8& image, const McuGrid& grid, const std::vector<bool>& touched) {
@@ -73,25 +83,35 @@ void put_back(CoefficientReader& camera, const McuGrid& grid, const std::vector<
   const auto copy_mcu = [&](int c, int index, const glm::ivec2& to_place) {
     const glm::ivec2 blocks = grid.blocks[static_cast<std::size_t>(c)];
     const glm::ivec2 from_place = grid.place(index);
-    const JBLOCKARRAY from = camera.rows(c, from_place.y * blocks.y, blocks.y);
-    const JBLOCKARRAY to = strip.rows(c, to_place.y * blocks.y, blocks.y);
+    const JBLOCKARRAY from =
+        block_rows(strip.info(), camera.arrays()[c], from_place.y * blocks.y, blocks.y, false);
+    const JBLOCKARRAY to =
+        block_rows(strip.info(), strip.arrays()[c], to_place.y * blocks.y, blocks.y, true);
     for (int row = 0; row < blocks.y; ++row) {
       std::memcpy(to[row] + to_place.x * blocks.x, from[row] + from_place.x * blocks.x,
                   static_cast<std::size_t>(blocks.x) * sizeof(JBLOCK));
     }
   };
-  // Each of the two may report an error.
-  camera.errors().guard("cannot patch", [&] {
-    strip.errors().guard("cannot patch", [&] {
-      for (int y = 0; y < static_cast<int>(mixed.size()); ++y) {
-        for (int x = 0; x < grid.segment; ++x) {
-          const int index = mixed[static_cast<std::size_t>(y)] * grid.segment + x;
-          if (touched[static_cast<std::size_t>(index)]) continue;
-          for (int c = 0; c < camera.info().num_components; ++c) copy_mcu(c, index, {x, y});
-        }
+  strip.errors().guard("cannot patch", [&] {
+    for (int y = 0; y < static_cast<int>(mixed.size()); ++y) {
+      for (int x = 0; x < grid.segment; ++x) {
+        const int index = mixed[static_cast<std::size_t>(y)] * grid.segment + x;
+        if (touched[static_cast<std::size_t>(index)]) continue;
+        for (int c = 0; c < strip.info().num_components; ++c) copy_mcu(c, index, {x, y});
       }
-    });
+    }
   });
+}
+
+std::vector<std::byte> encode(CameraJpeg& camera, const core::ImageRgb8& composite,
+                              const std::vector<bool>& touched, const Job& job) {
+  const McuGrid& grid = camera.grid;
+  std::vector<std::byte> strip =
+      encode_segments(camera.reader->info(), grid, composite, job.segments);
+  if (!job.mixed) return strip;
+  CoefficientReader reader(strip);
+  put_back(*camera.reader, grid, touched, job.segments, reader);
+  return write_coefficients(reader, grid.segment);
 }
 
 }  // namespace
@@ -112,25 +132,20 @@ std::optional<std::vector<std::byte>> patch_jpeg(JpegCoefficients coefficients,
   const bool grey = camera.header.subsampling == JpegSubsampling::Grey;
   if (grey && !is_grey(composite, grid, touched)) return std::nullopt;
 
+  const std::vector<Job> jobs = make_jobs(grid, touched);
+  std::vector<std::optional<SegmentedJpeg>> made(jobs.size());
+  tbb::parallel_for(std::size_t{0}, jobs.size(), [&](std::size_t i) {
+    made[i].emplace(encode(camera, composite, touched, jobs[i]));
+  });
+
   std::vector<JpegSegment> segments;
   for (std::size_t i = 0; i < camera.segments.count(); ++i) {
     segments.push_back(camera.segments.segment(i));
   }
-  std::vector<SegmentedJpeg> made;  // keeps what segments refers to
-  const auto replace = [&](std::span<const int> numbers, std::vector<std::byte> file) {
-    const SegmentedJpeg& strip = made.emplace_back(std::move(file));
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-      segments[static_cast<std::size_t>(numbers[i])] = strip.segment(i);
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    for (std::size_t k = 0; k < jobs[i].segments.size(); ++k) {
+      segments[static_cast<std::size_t>(jobs[i].segments[k])] = made[i]->segment(k);
     }
-  };
-  const Plan plan = make_plan(grid, touched);
-  if (!plan.whole.empty()) {
-    replace(plan.whole, encode_segments(camera.reader->info(), grid, composite, plan.whole));
-  }
-  if (!plan.mixed.empty()) {
-    CoefficientReader strip(encode_segments(camera.reader->info(), grid, composite, plan.mixed));
-    put_back(*camera.reader, grid, touched, plan.mixed, strip);
-    replace(plan.mixed, write_coefficients(strip, grid.segment));
   }
   return join_segments(camera.segments.head(), segments);
 }

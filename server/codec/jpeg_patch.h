@@ -16,7 +16,7 @@
 //   std::optional<JpegCoefficients> camera = JpegCoefficients::read(jpeg);    // early, anywhere
 //   ...
 //   std::optional<std::vector<std::byte>> out;
-//   if (camera) out = patch_jpeg(*std::move(camera), composite, touched_tiles);
+//   if (camera) out = patch_jpeg(*std::move(camera), composite, tiles);
 //   if (!out) out = encode_jpeg(composite, quality);
 #pragma once
 
@@ -34,8 +34,9 @@ namespace amalgam::codec {
 
 struct CameraJpeg;
 
-// A camera JPEG with its Huffman coding undone; the bytes it came from are not needed any more. At
-// most 2 bytes for each sample of the picture, 24 MiB at the limits of read_jpeg_header().
+// A camera JPEG's coefficients, and its Huffman code written anew so that it can be cut; the bytes
+// it came from are not needed any more. 2 bytes for each sample, 24 MiB at the limits of
+// read_jpeg_header(), and about as much as the file.
 class JpegCoefficients {
  public:
   // Throws JpegError for what decode_jpeg() refuses, at the first warning too. Empty where the
@@ -64,17 +65,22 @@ class JpegCoefficients {
 
 constexpr int kPatchTile = 16;  // pixels a side
 
-// composite: sRGB-encoded, of the camera's size (checked). touched: a flag for each tile of
+// composite: sRGB-encoded, of the camera's size (checked). tiles: a flag for each tile of
 // kPatchTile x kPatchTile pixels, row by row, ceil(width / kPatchTile) in a row; not 0 where a
-// pixel changed. Every MCU that a touched tile reaches into is encoded from the composite.
+// pixel changed. Every MCU that a flagged tile reaches into is encoded from the composite, the
+// others are the camera's. Takes time in proportion to what changed, on all cores of the caller's
+// TBB arena; the bytes do not depend on their number.
 //
-// Empty if a touched part of the composite is coloured and the camera's picture is grey. The result
-// is baseline, one scan, without restart markers. An ICC profile is kept and a JFIF header is
-// written (it says YCbCr, as an Adobe marker would); EXIF, comments and everything else are left
-// out, as encode_jpeg() does. Huffman tables are the standard ones: the file's own may lack codes
-// that new coefficients need, and optimal ones cost a second pass for 3 to 6 % fewer bytes.
+// Empty if a touched MCU of the composite is coloured and the camera's picture is grey.
+//
+// The result is baseline, of one scan, with a restart marker after each 96 pixels or a little more
+// (about 1 % of the bytes): what changed can so be replaced without coding the rest again. An ICC
+// profile is kept and a JFIF header is written (it says YCbCr, as an Adobe marker would); EXIF,
+// comments and everything else are left out, as encode_jpeg() does. Huffman tables are the standard
+// ones: the file's own may lack codes that new coefficients need, and the best ones are known only
+// after a second pass over everything.
 std::optional<std::vector<std::byte>> patch_jpeg(JpegCoefficients camera,
                                                  const core::ImageRgb8& composite,
-                                                 std::span<const std::uint8_t> touched);
+                                                 std::span<const std::uint8_t> tiles);
 
 }  // namespace amalgam::codec

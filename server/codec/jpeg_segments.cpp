@@ -10,24 +10,29 @@ namespace {
 
 constexpr std::size_t kMarkerBytes = 2;
 constexpr std::byte kEscape{0xFF}, kStartOfScan{0xDA}, kEndOfImage{0xD9};
+constexpr std::byte kBaselineFrame{0xC0};
 constexpr unsigned kFirstRestart = 0xD0;  // the first of eight, which take turns
 
-// The index after the scan's header.
-std::size_t end_of_head(std::span<const std::byte> file) {
+std::size_t segment_length(std::span<const std::byte> file, std::size_t marker) {
+  return std::to_integer<std::size_t>(file[marker + 2]) * 256 +
+         std::to_integer<std::size_t>(file[marker + 3]);
+}
+
+// Where the first marker of this code stands.
+std::size_t find_marker(std::span<const std::byte> file, std::byte code) {
   std::size_t at = kMarkerBytes;
-  for (bool scan = false; !scan;) {
+  while (true) {
     AMALGAM_CHECK(at + 4 <= file.size(), std::to_string(at));
-    scan = file[at + 1] == kStartOfScan;
-    at += kMarkerBytes + std::to_integer<std::size_t>(file[at + 2]) * 256 +
-          std::to_integer<std::size_t>(file[at + 3]);
+    if (file[at + 1] == code) return at;
+    at += kMarkerBytes + segment_length(file, at);
   }
-  return at;
 }
 
 }  // namespace
 
-SegmentedJpeg::SegmentedJpeg(std::vector<std::byte> file)
-    : file_(std::move(file)), begins_{end_of_head(file_)} {
+SegmentedJpeg::SegmentedJpeg(std::vector<std::byte> file) : file_(std::move(file)) {
+  const std::size_t scan = find_marker(file_, kStartOfScan);
+  begins_.push_back(scan + kMarkerBytes + segment_length(file_, scan));
   auto at = file_.begin() + static_cast<std::ptrdiff_t>(begins_.front());
   for (bool end = false; !end;) {
     at = std::find(at, file_.end(), kEscape);
@@ -59,6 +64,12 @@ std::vector<std::byte> join_segments(std::span<const std::byte> head,
     file.push_back(last ? kEndOfImage : static_cast<std::byte>(kFirstRestart + i % 8));
   }
   return file;
+}
+
+void set_height(std::span<std::byte> file, int height) {
+  const std::size_t frame = find_marker(file, kBaselineFrame);
+  file[frame + 5] = static_cast<std::byte>(height >> 8);
+  file[frame + 6] = static_cast<std::byte>(height & 255);
 }
 
 }  // namespace amalgam::codec

@@ -31,4 +31,7 @@ class SegmentedJpeg {
 std::vector<std::byte> join_segments(std::span<const std::byte> head,
                                      std::span<const JpegSegment> segments);
 
+// Changes the height that a baseline file's frame header announces.
+void set_height(std::span<std::byte> file, int height);
+
 }  // namespace amalgam::codec

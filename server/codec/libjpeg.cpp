@@ -69,10 +69,11 @@ CoefficientReader::~CoefficientReader() {
   jpeg_destroy_decompress(&info_);
 }
 
-JBLOCKARRAY CoefficientReader::rows(int component, int first, int count) {
-  return info_.mem->access_virt_barray(reinterpret_cast<j_common_ptr>(&info_), arrays_[component],
-                                       static_cast<JDIMENSION>(first),
-                                       static_cast<JDIMENSION>(count), TRUE);
+JBLOCKARRAY block_rows(jpeg_decompress_struct& user, jvirt_barray_ptr array, int first, int count,
+                       bool writable) {
+  return user.mem->access_virt_barray(reinterpret_cast<j_common_ptr>(&user), array,
+                                      static_cast<JDIMENSION>(first),
+                                      static_cast<JDIMENSION>(count), writable ? TRUE : FALSE);
 }
 
 MemoryCompressor::MemoryCompressor(std::size_t expected) : bytes_(expected + 4096) {

@@ -69,15 +69,17 @@ class CoefficientReader {
     return {info_.comp_info, static_cast<std::size_t>(info_.num_components)};
   }
 
-  // Rows of blocks of a component, up to v_samp_factor of them; blocks are there up to whole MCUs.
-  // Valid until the next call. Call it inside errors().guard().
-  JBLOCKARRAY rows(int component, int first, int count);
-
  private:
   LibjpegErrors errors_;
   jpeg_decompress_struct info_{};
   jvirt_barray_ptr* arrays_ = nullptr;
 };
+
+// Rows of blocks of one component, up to its v_samp_factor of them; blocks are there up to whole
+// MCUs. Errors go to user, which need not be who made the array: call it inside user's guard().
+// Without writable, several threads may read one array once all of it has been written.
+JBLOCKARRAY block_rows(jpeg_decompress_struct& user, jvirt_barray_ptr array, int first, int count,
+                       bool writable);
 
 // A compressor that writes into memory.
 class MemoryCompressor {

@@ -84,6 +84,26 @@ TEST(JpegPatchFiles, ImpossibleCoefficientsAreDeclined) {
   EXPECT_FALSE(patchable(sample({.bright_dc = -1025})));
 }
 
+// One grey block with the quantisation table, Huffman tables and bits of our choice: its first AC
+// coefficient is 2047, of one bit more than the standard tables have codes for.
+TEST(JpegPatchFiles, ImpossibleAcCoefficientsAreDeclined) {
+  std::vector<int> values{0xFF, 0xD8, 0xFF, 0xDB, 0, 67, 0};
+  values.insert(values.end(), 64, 1);  // quantisation
+  values.insert(values.end(), {0xFF, 0xC0, 0, 11, 8, 0, 8, 0, 8, 1, 1, 0x11, 0});
+  values.insert(values.end(), {0xFF, 0xC4, 0, 20, 0x00, 1});  // DC: one code of one bit
+  values.insert(values.end(), 15, 0);
+  values.insert(values.end(), {0});                              // it says "no difference"
+  values.insert(values.end(), {0xFF, 0xC4, 0, 21, 0x10, 1, 1});  // AC: codes of one and two bits
+  values.insert(values.end(), 14, 0);
+  values.insert(values.end(), {0x0B, 0});  // "11 bits follow" and "end of block"
+  values.insert(values.end(), {0xFF, 0xDA, 0, 8, 1, 1, 0, 0, 63, 0, 0x3F, 0xFD, 0xFF, 0xD9});
+  Bytes jpeg;
+  for (const int value : values) jpeg.push_back(static_cast<std::byte>(value));
+  EXPECT_NO_THROW(decode_jpeg(jpeg));
+  EXPECT_EQ(tests::blocks_of(jpeg)[0].blocks[0][1], 2047);
+  EXPECT_FALSE(patchable(jpeg));
+}
+
 // Dividing by such a step would end the program.
 TEST(JpegPatchFiles, AQuantisationStepOfZeroIsDeclined) {
   Bytes jpeg = sample({});

@@ -91,7 +91,7 @@ class JpegPatch : public testing::TestWithParam<Case> {
   Bytes camera(const core::ImageRgb8& image) const { return sample_jpeg(image, GetParam().kind); }
 };
 
-constexpr glm::ivec2 kSizes[]{{96, 64}, {161, 77}, {17, 33}, {8, 100}, {1, 1}};
+constexpr glm::ivec2 kSizes[]{{640, 320}, {376, 48}, {161, 77}, {17, 33}, {8, 100}, {1, 1}};
 
 // Each block of the patched file is the camera's where nothing is touched, and elsewhere what it is
 // if everything is touched: it does not depend on what else was encoded with it.
@@ -122,8 +122,8 @@ TEST_P(JpegPatch, BlocksAreTheCamerasOrTheCompositesBitForBit) {
 }
 
 TEST_P(JpegPatch, AllTouchedIsWhatLibjpegMakesOfTheWholeComposite) {
-  const core::ImageRgb8 composite = picture({160, 96}, 2);
-  const Bytes before = camera(picture({160, 96}, 1));
+  const core::ImageRgb8 composite = picture({640, 320}, 2);
+  const Bytes before = camera(picture({640, 320}, 1));
   const auto all = tests::blocks_of(patched(before, composite, Flags(tile_count(composite), 1)));
   const auto whole = tests::blocks_of(camera(composite));
   for (std::size_t c = 0; c < whole.size(); ++c) EXPECT_EQ(all[c].blocks, whole[c].blocks) << c;
