@@ -46,6 +46,7 @@ SegmentedJpeg::SegmentedJpeg(std::vector<std::byte> file) : file_(std::move(file
 }
 
 JpegSegment SegmentedJpeg::segment(std::size_t index) const {
+  AMALGAM_CHECK(index < count(), std::to_string(index) + " of " + std::to_string(count()));
   const std::size_t begin = begins_[index], next = begins_[index + 1];
   return std::span(file_).subspan(begin, next - kMarkerBytes - begin);
 }

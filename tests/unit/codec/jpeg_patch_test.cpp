@@ -62,6 +62,10 @@ struct Case {
   int mcu_height;  // pixels
 };
 
+void PrintTo(const Case& tested, std::ostream* out) {
+  *out << tested.name;
+}
+
 std::vector<Case> cases() {
   const std::array<int, 2> one{1, 1}, wide{2, 1}, square{2, 2};
   return {
@@ -121,12 +125,15 @@ TEST_P(JpegPatch, BlocksAreTheCamerasOrTheCompositesBitForBit) {
   }
 }
 
+// 317 is odd: below an even height the invisible rest of chroma blocks may be filled in other ways.
 TEST_P(JpegPatch, AllTouchedIsWhatLibjpegMakesOfTheWholeComposite) {
-  const core::ImageRgb8 composite = picture({640, 320}, 2);
-  const Bytes before = camera(picture({640, 320}, 1));
-  const auto all = tests::blocks_of(patched(before, composite, Flags(tile_count(composite), 1)));
-  const auto whole = tests::blocks_of(camera(composite));
-  for (std::size_t c = 0; c < whole.size(); ++c) EXPECT_EQ(all[c].blocks, whole[c].blocks) << c;
+  for (const glm::ivec2& size : {glm::ivec2(640, 320), {631, 317}}) {
+    const core::ImageRgb8 composite = picture(size, 2);
+    const Bytes before = camera(picture(size, 1));
+    const auto all = tests::blocks_of(patched(before, composite, Flags(tile_count(composite), 1)));
+    const auto whole = tests::blocks_of(camera(composite));
+    for (std::size_t c = 0; c < whole.size(); ++c) EXPECT_EQ(all[c].blocks, whole[c].blocks) << c;
+  }
 }
 
 TEST_P(JpegPatch, UntouchedPixelsAreBitEqual) {
