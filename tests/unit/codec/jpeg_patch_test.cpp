@@ -82,6 +82,7 @@ std::vector<Case> cases() {
        16,
        8},
       {"OddNames", {.luma = square, .ids = {7, 0, 200}, .jfif = false}, 16, 16},
+      {"SameNames", {.luma = square, .ids = {5, 5, 5}}, 16, 16},
       {"Coarse", {.luma = square, .quality = 5}, 16, 16},
       {"Finest", {.luma = square, .quality = 100}, 16, 16},
   };
