@@ -6,7 +6,11 @@ namespace amalgam::passes {
 namespace {
 
 Layers constant_layers(float value) {
-  return {core::ImageRgba32f(4, 3, glm::vec4(value)), core::ImageRgb32f(4, 3, glm::vec3(-value))};
+  Layers layers({4, 3});
+  for (int y = 0; y < 3; ++y) {
+    for (int x = 0; x < 4; ++x) layers.set(x, y, glm::vec4(value), glm::vec3(-value));
+  }
+  return layers;
 }
 
 trace::TraceResult traced_layers(float value) {
@@ -21,8 +25,8 @@ TEST(Merge, Adds) {
                                              graph.import("trace", traced_layers(0.5f))});
   const Layers* layers = graph.realise(merged);
   ASSERT_NE(layers, nullptr);
-  EXPECT_EQ(layers->over.at(3, 2), glm::vec4(0.75f));
-  EXPECT_EQ(layers->difference.at(0, 0), glm::vec3(-0.75f));
+  EXPECT_EQ(layers->over(3, 2), glm::vec4(0.75f));
+  EXPECT_EQ(layers->difference(0, 0), glm::vec3(-0.75f));
 }
 
 TEST(Merge, OneIsEnough) {
@@ -31,7 +35,7 @@ TEST(Merge, OneIsEnough) {
       add_merge_pass(graph, {graph.absent<Layers>("raster", "no diffuse object in view"),
                              graph.import("trace", traced_layers(0.5f))});
   ASSERT_NE(graph.realise(merged), nullptr);
-  EXPECT_EQ(graph.peek(merged)->over.at(1, 1), glm::vec4(0.5f));
+  EXPECT_EQ(graph.peek(merged)->over(1, 1), glm::vec4(0.5f));
 }
 
 TEST(Merge, ZeroEverywhereIsNothing) {
