@@ -12,6 +12,7 @@
 layout(early_fragment_tests) in;
 layout(binding = 1) uniform usampler2D mask_flags;
 layout(location = 1) uniform uint light_count;
+layout(location = 3) uniform int mask_step;  // samples from one fragment to the next
 
 layout(location = 0) out vec4 mixed_image;
 layout(location = 1) out vec4 real_image;
@@ -20,7 +21,8 @@ const uint kVirtual = 1u;
 
 void main() {
   // Of coincident surfaces the mask pass chose one; another kind must not show through.
-  if (texelFetch(mask_flags, ivec2(gl_FragCoord.xy), 0).r != surface_flags) discard;
+  ivec2 sample_at = ivec2(gl_FragCoord.xy) * mask_step + mask_step / 2;
+  if (texelFetch(mask_flags, sample_at, 0).r != surface_flags) discard;
   vec4 color = base_color();
   if (is_cut_out(color)) discard;
 

@@ -1,6 +1,8 @@
 #include "core/layers.h"
 
 #include <algorithm>
+#include <functional>
+#include <utility>
 
 namespace amalgam::core {
 
@@ -27,6 +29,21 @@ Layers& Layers::operator=(const Layers& other) {
 LayerTile& Layers::make(std::size_t tile) {
   if (!tiles_[tile]) tiles_[tile] = std::make_unique<LayerTile>();
   return *tiles_[tile];
+}
+
+void Layers::add(Layers&& other) {
+  for (std::size_t i = 0; i < tiles_.size(); ++i) {
+    std::unique_ptr<LayerTile>& from = other.tiles_[i];
+    std::unique_ptr<LayerTile>& to = tiles_[i];
+    if (!to) {
+      to = std::move(from);
+    } else if (from) {
+      std::transform(from->over.begin(), from->over.end(), to->over.begin(), to->over.begin(),
+                     std::plus<>());
+      std::transform(from->difference.begin(), from->difference.end(), to->difference.begin(),
+                     to->difference.begin(), std::plus<>());
+    }
+  }
 }
 
 std::vector<std::size_t> Layers::present() const {

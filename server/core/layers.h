@@ -56,6 +56,8 @@ class Layers {
   // threads.
   LayerTile& make(std::size_t tile);
   void drop(std::size_t tile) { tiles_[tile].reset(); }
+  // Adds the other layers, of the same size, taking over tiles that do not exist here.
+  void add(Layers&& other);
 
   std::vector<std::size_t> present() const;  // tiles that exist, ascending
   bool is_zero() const;

@@ -5,6 +5,7 @@
 #include "passes/effect.h"
 #include "passes/merge.h"
 #include "passes/raster_meter.h"
+#include "passes/reached_tiles.h"
 #include "passes/real_depth.h"
 #include "passes/resolve.h"
 #include "passes/upload_view.h"
@@ -65,12 +66,17 @@ void add_hybrid_passes(graph::FrameGraph& graph, const SceneResources& resources
       graph,
       {.raster = raster, .view = view, .device_view = device_view, .cache = *resources.shadows});
   frame.mask = passes::add_mask_pass(graph, {raster, view, device_view});
-  frame.diffuse = passes::add_diffuse_pass(graph, {raster, view, device_view, frame.mask, shadows});
-  const auto effect = passes::add_effect_pass(graph, {raster, frame.diffuse}).effect;
-  const auto grid = passes::add_raster_meter_pass(graph, view, frame.diffuse.real);
+  // A dump shows I_m and I_r everywhere.
+  const bool all_tiles = !request.settings.leave_out_tiles || request.keep_buffers;
+  const auto reached =
+      passes::add_reached_tiles_pass(graph, {raster, view, frame.mask, shadows, all_tiles});
+  frame.diffuse =
+      passes::add_diffuse_pass(graph, {raster, view, device_view, frame.mask, shadows, reached});
+  const auto effect = passes::add_effect_pass(graph, {raster, view, frame.diffuse, reached}).effect;
+  const auto grid =
+      passes::add_raster_meter_pass(graph, {raster, view, device_view, frame.mask, shadows});
   frame.exposure = passes::add_exposure_pass(graph, exposure_inputs(request, frame, grid));
-  const auto resolved =
-      passes::add_resolve_pass(graph, {raster, view, frame.diffuse, effect, frame.exposure});
+  const auto resolved = passes::add_resolve_pass(graph, {view, effect, frame.exposure});
   frame.rasterised = resolved.layers;
   frame.rasterised_nonfinite = resolved.nonfinite;
 

@@ -30,6 +30,9 @@ struct RendererSettings {
   // texel. Costs an Embree scene and rays for those pixels, even in scenes without anything
   // specular.
   bool trace_shadow_edges = false;
+  // Diffuse surfaces are shaded only in tiles where something virtual may show. Off for
+  // comparisons: the picture is the same to the bit.
+  bool leave_out_tiles = true;
   trace::TraceSettings trace;
   scene::EnvLightOptions env_lights;
   std::optional<float> exposure;  // none: metered on the real surfaces in view

@@ -130,14 +130,6 @@ Buffer upload_srgb_table() {
   return Buffer::of(std::span<const float>(table));
 }
 
-scene::Mesh screen_triangle() {
-  scene::Mesh mesh;
-  mesh.positions = {{-1, -1, 0}, {3, -1, 0}, {-1, 3, 0}};
-  mesh.normals.resize(3);
-  mesh.triangles = {{0, 1, 2}};
-  return mesh;
-}
-
 }  // namespace
 
 SceneFeatures find_features(const scene::Scene& scene) {
@@ -157,8 +149,7 @@ SceneFeatures find_features(const scene::Scene& scene) {
   return features;
 }
 
-GpuScene::GpuScene(const scene::Scene& scene)
-    : srgb_table_(upload_srgb_table()), screen_(screen_triangle()) {
+GpuScene::GpuScene(const scene::Scene& scene) : srgb_table_(upload_srgb_table()) {
   for (const scene::Mesh& mesh : scene.meshes) meshes_.push_back(upload_mesh(mesh));
   for (const scene::Texture& texture : scene.textures) textures_.push_back(upload_texture(texture));
   for (const scene::Material& material : scene.materials) {
@@ -189,10 +180,6 @@ GpuScene::GpuScene(const scene::Scene& scene)
 
 void GpuScene::bind_tables() const {
   srgb_table_.bind_uniform(kSrgbTableBinding);
-}
-
-void GpuScene::draw_screen() const {
-  screen_.draw();
 }
 
 void GpuScene::draw(std::uint32_t mesh, std::uint32_t material) const {

@@ -64,9 +64,6 @@ class GpuScene {
   // Draws the mesh with its face normals and the material's textures bound.
   void draw(std::uint32_t mesh, std::uint32_t material) const;
 
-  // One triangle that covers clip space, for passes from image to image.
-  void draw_screen() const;
-
  private:
   std::vector<GpuMesh> meshes_;
   std::vector<GpuInstanceInfo> instances_;
@@ -74,7 +71,6 @@ class GpuScene {
   std::vector<std::array<std::optional<std::uint32_t>, scene::kTextureSlots>> textures_of_material_;
   std::vector<GpuMaterial> materials_;
   Buffer srgb_table_;
-  VertexArray screen_;
 };
 
 }  // namespace amalgam::gl

@@ -50,8 +50,6 @@ ShaderLibrary::ShaderLibrary(const SceneFeatures& features)
       shade_diffuse(surface_program("shade_diffuse.frag", SeenFrom::Camera, features)),
       draw_depth(surface_program("draw_depth.frag", SeenFrom::Camera, features)),
       draw_caster(surface_program("draw_depth.frag", SeenFrom::Light, features)),
-      accumulate_glass(surface_program("accumulate_glass.frag", SeenFrom::Light, features)),
-      query_effect("cover_screen.vert", "query_effect.frag"),
-      resolve_samples("cover_screen.vert", "resolve_samples.frag") {}
+      accumulate_glass(surface_program("accumulate_glass.frag", SeenFrom::Light, features)) {}
 
 }  // namespace amalgam::gl

@@ -25,8 +25,6 @@ struct ShaderLibrary {
   SurfaceProgram draw_depth;        // from the camera
   SurfaceProgram draw_caster;       // depth from a light
   SurfaceProgram accumulate_glass;  // optical depth from a light
-  ShaderProgram query_effect;
-  ShaderProgram resolve_samples;
 };
 
 }  // namespace amalgam::gl

@@ -107,12 +107,24 @@ void Texture::read(void* texels, std::size_t bytes) const {
   glGetTextureImage(id_, 0, info.external, info.type, static_cast<GLsizei>(bytes), texels);
 }
 
-void Texture::read_row(int row, void* texels, std::size_t bytes) const {
-  AMALGAM_CHECK(!is_array() && row >= 0 && row < size_.y, "row " + std::to_string(row));
+void Texture::read_part(glm::ivec2 first, glm::ivec2 size, void* texels, std::size_t bytes,
+                        int layer) const {
   const FormatInfo info = describe(format_);
+  AMALGAM_CHECK(
+      bytes == static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * info.bytes,
+      std::to_string(bytes) + " bytes for a part of " + std::to_string(size.x) + "x" +
+          std::to_string(size.y));
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glGetTextureSubImage(id_, 0, 0, row, 0, size_.x, 1, 1, info.external, info.type,
+  glGetTextureSubImage(id_, 0, first.x, first.y, layer, size.x, size.y, 1, info.external, info.type,
                        static_cast<GLsizei>(bytes), texels);
+}
+
+void Texture::clear_part(glm::ivec2 first, glm::ivec2 size, float value) const {
+  const FormatInfo info = describe(format_);
+  AMALGAM_CHECK(!is_array() && info.type == GL_FLOAT, "clear of a part that is not float");
+  const std::array<GLfloat, 4> values{value, value, value, value};
+  glClearTexSubImage(id_, 0, first.x, first.y, 0, size.x, size.y, 1, info.external, info.type,
+                     values.data());
 }
 
 void Texture::set_depth_comparison() {

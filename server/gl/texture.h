@@ -32,8 +32,11 @@ class Texture {
   // Rows of tightly packed texels, top row first. Two-dimensional textures only.
   void upload(const void* texels);
   void read(void* texels, std::size_t bytes) const;  // bytes: exactly what the texture holds
-
-  void read_row(int row, void* texels, std::size_t bytes) const;  // bytes: at least a row's
+  // A part: size texels from first on, of one layer of an array. Bytes as for read().
+  void read_part(glm::ivec2 first, glm::ivec2 size, void* texels, std::size_t bytes,
+                 int layer = 0) const;
+  // Every channel of a part of a two-dimensional float or depth texture.
+  void clear_part(glm::ivec2 first, glm::ivec2 size, float value) const;
 
   // Makes look-ups compare with the stored reversed depth: 1 where reference >= depth, linearly
   // weighted over 2x2 texels.

@@ -155,6 +155,13 @@ bool FrameGraph::declares_write(int pass, int resource) const {
   return std::find(writes.begin(), writes.end(), resource) != writes.end();
 }
 
+bool FrameGraph::is_read_later(int resource) const {
+  for (std::size_t p = 0; p < passes_.size(); ++p) {
+    if (!passes_[p].visited && declares_read(static_cast<int>(p), resource)) return true;
+  }
+  return false;
+}
+
 void FrameGraph::check_declared(bool declared, const char* verb, int pass, int resource) const {
   AMALGAM_CHECK(declared, "pass '" + passes_[static_cast<std::size_t>(pass)].report.name + "' " +
                               verb + " resource " + std::to_string(resource) +

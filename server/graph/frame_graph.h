@@ -80,6 +80,13 @@ class Access {
   // For handles given to uses() or needs_any(): null if absent or unset.
   template <typename T>
   const T* find(Handle<T> handle) const;
+  // The value to change and pass on: moved if every pass that reads it has had its turn (whoever
+  // peeks at it afterwards sees what a move leaves), otherwise a copy.
+  template <typename T>
+  T take(Handle<T> handle) const;
+  // The same for one member of it.
+  template <typename T, typename Member>
+  Member take(Handle<T> handle, Member T::*member) const;
   template <typename T>
   void set(Handle<T> handle, T value) const;
   // This pass ran but has nothing to give: whoever needs the resource is left out with this reason.
@@ -182,6 +189,7 @@ class FrameGraph {
   void check_declared(bool declared, const char* verb, int pass, int resource) const;
   bool declares_read(int pass, int resource) const;
   bool declares_write(int pass, int resource) const;
+  bool is_read_later(int resource) const;  // by a pass that has not been visited
 
   template <typename T>
   const T* value(int resource) const {
@@ -227,6 +235,20 @@ const T* Access::find(Handle<T> handle) const {
   if (!handle.is_set()) return nullptr;
   graph_.check_declared(graph_.declares_read(pass_, handle.index_), "reads", pass_, handle.index_);
   return graph_.value<T>(handle.index_);
+}
+
+template <typename T>
+T Access::take(Handle<T> handle) const {
+  const T& value = get(handle);
+  if (graph_.is_read_later(handle.index_)) return value;
+  return std::move(const_cast<T&>(value));  // stored as non-const (FrameGraph::store)
+}
+
+template <typename T, typename Member>
+Member Access::take(Handle<T> handle, Member T::*member) const {
+  const Member& value = get(handle).*member;
+  if (graph_.is_read_later(handle.index_)) return value;
+  return std::move(const_cast<Member&>(value));
 }
 
 template <typename T>

@@ -3,19 +3,18 @@
 #include <tbb/parallel_for.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scene/tone_map.h"
 
 namespace amalgam::passes {
 
-core::ImageRgb8 composite(const core::Layers& layers, const core::ImageRgb8& camera_image) {
-  AMALGAM_CHECK(layers.size() == camera_image.size(),
+core::ImageRgb8 composite(const core::Layers& layers, core::ImageRgb8 image) {
+  AMALGAM_CHECK(layers.size() == image.size(),
                 "layers are " + std::to_string(layers.size().x) + "x" +
                     std::to_string(layers.size().y) + ", the camera image is " +
-                    std::to_string(camera_image.width()) + "x" +
-                    std::to_string(camera_image.height()));
-  core::ImageRgb8 out = camera_image;
+                    std::to_string(image.width()) + "x" + std::to_string(image.height()));
   const std::vector<std::size_t> tiles = layers.present();
   tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t i) {
     const core::LayerTile& tile = *layers.find(tiles[i]);
@@ -26,12 +25,13 @@ core::ImageRgb8 composite(const core::Layers& layers, const core::ImageRgb8& cam
         const glm::vec4& over = tile.over[core::LayerTile::index(x, y)];
         const glm::vec3& difference = tile.difference[core::LayerTile::index(x, y)];
         if (over == glm::vec4(0.0f) && difference == glm::vec3(0.0f)) continue;
-        const glm::vec3 camera = scene::srgb_decode(camera_image.at(x, y));
-        out.at(x, y) = scene::srgb_encode(glm::vec3(over) + (1.0f - over.w) * camera + difference);
+        core::Rgb8& pixel = image.at(x, y);
+        const glm::vec3 camera = scene::srgb_decode(pixel);
+        pixel = scene::srgb_encode(glm::vec3(over) + (1.0f - over.w) * camera + difference);
       }
     }
   });
-  return out;
+  return image;
 }
 
 graph::Handle<Composite> add_composite_pass(graph::FrameGraph& graph, const CompositeInputs& in) {
@@ -44,9 +44,10 @@ graph::Handle<Composite> add_composite_pass(graph::FrameGraph& graph, const Comp
   builder.needs(in.camera_image);
   const auto out = builder.writes<Composite>("composite");
   builder.runs([in, out](const graph::Access& access) {
-    const core::ImageRgb8& camera_image = access.get(in.camera_image).pixels;
+    core::ImageRgb8 image = access.take(in.camera_image).pixels;
     const Layers* layers = access.find(in.layers);
-    access.set(out, Composite{layers != nullptr ? composite(*layers, camera_image) : camera_image});
+    access.set(out, Composite{layers != nullptr ? composite(*layers, std::move(image))
+                                                : std::move(image)});
   });
   return out;
 }

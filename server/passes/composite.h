@@ -11,7 +11,7 @@ namespace amalgam::passes {
 
 // The composite, sRGB-encoded. Where all layers are 0 the camera's bytes stay what they are. Layers
 // and image must have one size.
-core::ImageRgb8 composite(const core::Layers& layers, const core::ImageRgb8& camera_image);
+core::ImageRgb8 composite(const core::Layers& layers, core::ImageRgb8 camera_image);
 
 struct Composite {
   core::ImageRgb8 pixels;

@@ -11,6 +11,7 @@
 #include "passes/frame_resources.h"
 #include "passes/mask.h"
 #include "passes/raster_context.h"
+#include "passes/reached_tiles.h"
 #include "passes/shadow_maps.h"
 #include "passes/upload_view.h"
 
@@ -22,14 +23,23 @@ struct DiffuseInputs {
   graph::Handle<DeviceView> device_view;
   MaskOutputs mask;
   ShadowMapOutputs shadows;  // maps may be absent: then nothing of that class casts shadows
+  graph::Handle<ReachedTiles> reached;
 };
 
-// RGBA32F, a texel a sample, 0 where there is no diffuse surface. Absent: "no diffuse object in
-// view".
+// RGBA32F, a texel a sample, 0 where there is no diffuse surface; outside of the reached tiles
+// whatever was there. Absent: "no diffuse object in view", or for want of reached tiles.
 struct DiffuseOutputs {
   graph::Handle<DeviceImage> mixed;  // I_m = m; alpha: M_v, 1 on virtual surfaces
   graph::Handle<DeviceImage> real;  // I_r = r on real surfaces, 0 on virtual ones; alpha: 1 on real
 };
+
+// Binds lights and shadow maps for a program of ShaderLibrary::shade_diffuse to read.
+void bind_lights(const RasterContext& raster, const ShadowMapOutputs& shadows,
+                 const graph::Access& access);
+
+// The program's fragment (x, y) belongs to sample (x step + step / 2, y step + step / 2) of the
+// mask.
+void tell_mask_step(const RasterContext& raster, int step);
 
 DiffuseOutputs add_diffuse_pass(graph::FrameGraph& graph, const DiffuseInputs& in);
 

@@ -30,10 +30,4 @@ void draw_items(const RasterContext& raster, const DeviceView& device_view,
   }
 }
 
-// One triangle over all of the framebuffer, for passes from image to image.
-inline void cover_screen(const RasterContext& raster, const gl::ShaderProgram& program) {
-  program.use();
-  raster.scene.draw_screen();
-}
-
 }  // namespace amalgam::passes

@@ -1,5 +1,5 @@
-// Asks the GPU whether anything virtual shows in the diffuse images at all: if not, the frame may
-// go back as it came.
+// Reads the shaded tiles back and asks whether anything virtual shows in them at all: if not, the
+// frame may go back as it came.
 #pragma once
 
 #include "graph/frame_graph.h"
@@ -9,12 +9,17 @@
 
 namespace amalgam::passes {
 
-// Exists only if some diffuse sample is virtual, or differs between I_m and I_r.
-struct DiffuseEffect {};
+// Exists only if some diffuse sample is virtual, or differs between I_m and I_r. Owned by the
+// RasterTargets, until the end of the frame.
+struct DiffuseEffect {
+  const ShadedTiles* tiles = nullptr;
+};
 
 struct EffectInputs {
   const RasterContext& raster;
+  const RenderView& view;
   DiffuseOutputs diffuse;
+  graph::Handle<ReachedTiles> reached;
 };
 
 struct EffectOutputs {

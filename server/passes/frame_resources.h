@@ -35,6 +35,13 @@ struct SampleMask {
   static constexpr std::uint8_t kSpecular = 2;  // M_r: the nearest surface is specular
   static constexpr std::uint8_t kSurface = 4;   // there is a surface
   core::Image<std::uint8_t> flags;
+
+  // What there is in each tile of the ideal image, so that nobody has to walk over all samples
+  // again.
+  static constexpr std::uint8_t kAnySpecular = 1;
+  static constexpr std::uint8_t kAnyVirtualDiffuse = 2;
+  static constexpr std::uint8_t kAnyRealDiffuse = 4;
+  std::vector<std::uint8_t> tiles{};  // by core::TileGrid(ideal size)
 };
 
 // Camera-frame z (metres, positive) of the nearest *real* surface at each ideal pixel's centre;

@@ -1,6 +1,11 @@
 #include "passes/mask.h"
 
+#include <tbb/parallel_for.h>
+
 #include <utility>
+#include <vector>
+
+#include "core/tile_grid.h"
 
 #include "gl/framebuffer.h"
 #include "gl/pipeline_state.h"
@@ -25,20 +30,66 @@ DeviceMask draw_mask(const MaskInputs& in, const DeviceView& device_view) {
 }
 
 SampleMask read_mask(const gl::Texture& flags) {
-  SampleMask mask{core::Image<std::uint8_t>(flags.size().x, flags.size().y)};
+  SampleMask mask{.flags = core::Image<std::uint8_t>(flags.size().x, flags.size().y)};
   flags.read(mask.flags.data(), mask.flags.pixels().size());
   return mask;
 }
 
-SampleCounts count(const SampleMask& mask) {
-  SampleCounts counts;
-  counts.total = mask.flags.pixels().size();
-  for (const std::uint8_t flags : mask.flags.pixels()) {
-    counts.surface += (flags & SampleMask::kSurface) != 0 ? 1 : 0;
-    counts.virtual_surface += (flags & SampleMask::kVirtual) != 0 ? 1 : 0;
-    counts.specular += (flags & SampleMask::kSpecular) != 0 ? 1 : 0;
+// Bits and sums of single bytes, without a branch: for the compiler to do 16 at a time.
+struct RunOfSamples {
+  unsigned surface = 0, virtual_surface = 0, specular = 0;
+  std::uint8_t tile = 0;  // SampleMask::tiles
+
+  void add(const std::uint8_t* flags, int count) {
+    static_assert(SampleMask::kVirtual == 1 && SampleMask::kSpecular == 2 &&
+                  SampleMask::kSurface == 4);
+    unsigned char virtual_diffuse = 0, real_diffuse = 0, any = 0;
+    for (int i = 0; i < count; ++i) {
+      const unsigned f = flags[i];
+      surface += f >> 2 & 1u;
+      virtual_surface += f & 1u;
+      specular += f >> 1 & 1u;
+    }
+    for (int i = 0; i < count; ++i) {
+      const auto f = flags[i];
+      const auto not_specular = static_cast<unsigned char>(~(f >> 1));
+      virtual_diffuse = static_cast<unsigned char>(virtual_diffuse | (f & not_specular));
+      real_diffuse = static_cast<unsigned char>(real_diffuse | (f >> 2 & ~f & not_specular));
+      any = static_cast<unsigned char>(any | f);
+    }
+    if ((any & SampleMask::kSpecular) != 0) tile |= SampleMask::kAnySpecular;
+    if ((virtual_diffuse & 1u) != 0) tile |= SampleMask::kAnyVirtualDiffuse;
+    if ((real_diffuse & 1u) != 0) tile |= SampleMask::kAnyRealDiffuse;
   }
-  return counts;
+};
+
+// Also fills mask.tiles.
+SampleCounts count(SampleMask& mask, const RenderView& view) {
+  const core::TileGrid grid({view.ideal.width, view.ideal.height});
+  const int n = view.samples_per_side;
+  mask.tiles.assign(grid.count(), 0);
+  std::vector<SampleCounts> rows(static_cast<std::size_t>(grid.tiles().y));
+  tbb::parallel_for(0, grid.tiles().y, [&](int row) {
+    SampleCounts& counts = rows[static_cast<std::size_t>(row)];
+    for (int column = 0; column < grid.tiles().x; ++column) {
+      const std::size_t tile = grid.index({column, row});
+      const glm::ivec2 first = grid.first_pixel(tile) * n, end = grid.end_pixel(tile) * n;
+      RunOfSamples run;
+      for (int y = first.y; y < end.y; ++y) run.add(&mask.flags.at(first.x, y), end.x - first.x);
+      mask.tiles[tile] = run.tile;
+      counts.surface += run.surface;
+      counts.virtual_surface += run.virtual_surface;
+      counts.specular += run.specular;
+    }
+  });
+  SampleCounts sum;
+  sum.total = mask.flags.pixels().size();
+  for (const SampleCounts& counts : rows) {
+    sum.surface += counts.surface;
+    sum.virtual_surface += counts.virtual_surface;
+    sum.specular += counts.specular;
+  }
+  return sum;
 }
 
 }  // namespace
@@ -54,7 +105,7 @@ MaskOutputs add_mask_pass(graph::FrameGraph& graph, const MaskInputs& in) {
   builder.runs([in, out](const graph::Access& access) {
     const DeviceMask device = draw_mask(in, access.get(in.device_view));
     SampleMask mask = read_mask(*device.flags);
-    const SampleCounts counts = count(mask);
+    const SampleCounts counts = count(mask, in.view);
     access.set(out.device, device);
     access.set(out.mask, std::move(mask));
     access.set(out.counts, counts);

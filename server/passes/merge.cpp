@@ -1,22 +1,8 @@
 #include "passes/merge.h"
 
-#include <algorithm>
+#include <utility>
 
 namespace amalgam::passes {
-namespace {
-
-void add(Layers& sum, const Layers& part) {
-  for (const std::size_t tile : part.present()) {
-    const core::LayerTile& from = *part.find(tile);
-    core::LayerTile& to = sum.make(tile);
-    std::transform(from.over.begin(), from.over.end(), to.over.begin(), to.over.begin(),
-                   std::plus<>());
-    std::transform(from.difference.begin(), from.difference.end(), to.difference.begin(),
-                   to.difference.begin(), std::plus<>());
-  }
-}
-
-}  // namespace
 
 graph::Handle<Layers> add_merge_pass(graph::FrameGraph& graph, const MergeInputs& in) {
   graph::Builder builder = graph.add_pass("merge");
@@ -24,15 +10,15 @@ graph::Handle<Layers> add_merge_pass(graph::FrameGraph& graph, const MergeInputs
   builder.needs_any(in.traced);
   const auto out = builder.writes<Layers>("layers");
   builder.runs([in, out](const graph::Access& access) {
-    const Layers* rasterised = access.find(in.rasterised);
-    const trace::TraceResult* traced = access.find(in.traced);
-    Layers sum;
-    if (rasterised != nullptr) sum = *rasterised;
-    if (traced != nullptr) {
-      if (rasterised != nullptr) {
-        add(sum, traced->layers);
+    // Taken, not copied: nobody else reads either's layers.
+    const bool rasterised = access.find(in.rasterised) != nullptr;
+    Layers sum = rasterised ? access.take(in.rasterised) : Layers();
+    if (access.find(in.traced) != nullptr) {
+      Layers traced = access.take(in.traced, &trace::TraceResult::layers);
+      if (rasterised) {
+        sum.add(std::move(traced));
       } else {
-        sum = traced->layers;
+        sum = std::move(traced);
       }
     }
     if (sum.is_zero()) {

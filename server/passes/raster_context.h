@@ -2,7 +2,9 @@
 // textures that live on from frame to frame.
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "gl/egl_context.h"
 #include "gl/gpu_scene.h"
@@ -12,17 +14,34 @@
 
 namespace amalgam::passes {
 
-// Textures that passes draw into. Each exists from the first time that its pass runs and is made
-// anew when its size changes: a scene without specular objects never pays for the real-only depth.
-// All are used by one frame at a time.
+// I_m and I_r of tiles, read back: runs of neighbouring tiles, each a little picture of its own.
+struct ShadedTiles {
+  struct Run {
+    std::size_t first_tile = 0, tiles = 0;
+    glm::ivec2 first{0}, size{0};  // samples
+    std::size_t offset = 0;        // of its first sample in mixed and real
+  };
+  std::vector<Run> runs;
+  std::vector<glm::vec4> mixed, real;  // as DiffuseOutputs
+  std::vector<std::uint8_t> shows{};   // by tile of the ideal image: something virtual does
+};
+
+// Textures that passes draw into, and what is read back from them. Each exists from the first time
+// that its pass runs and is made anew when its size changes: a scene without specular objects never
+// pays for the real-only depth. All are used by one frame at a time.
 struct RasterTargets {
   // One texel a sample.
   std::optional<gl::Texture> mask_flags;   // R8UI, bits of SampleMask
   std::optional<gl::Texture> depth;        // 32F, reversed: near / z, 0 is infinitely far
   std::optional<gl::Texture> mixed, real;  // RGBA32F, I_m and I_r (see diffuse.h)
   // One texel an ideal pixel.
-  std::optional<gl::Texture> over, difference;  // RGBA32F, A with a, and D
-  std::optional<gl::Texture> real_depth;        // 32F, reversed
+  std::optional<gl::Texture> real_depth;  // 32F, reversed
+  // One texel an entry of the exposure meter's grid.
+  std::optional<gl::Texture> meter, meter_unused, meter_depth;  // RGBA32F, RGBA32F, 32F
+
+  // In our memory.
+  core::Image32f depth_here;  // the mask's
+  ShadedTiles shaded;
 };
 
 // Makes the texture, or makes it anew if its size is another one, and returns it.

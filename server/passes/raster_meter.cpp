@@ -1,18 +1,57 @@
 #include "passes/raster_meter.h"
 
+#include "gl/framebuffer.h"
+#include "gl/pipeline_state.h"
+#include "gl/shader_interface.h"
+#include "passes/draw_items.h"
 #include "passes/read_back.h"
 
 namespace amalgam::passes {
+namespace {
 
-graph::Handle<MeterGrid> add_raster_meter_pass(graph::FrameGraph& graph, const RenderView& view,
-                                               graph::Handle<DeviceImage> real) {
+// Entry (x, y) is sample (x step + step / 2, y step + step / 2); blocks that reach beyond the image
+// are left out. What the mask does not show as real and diffuse is left 0.
+core::ImageRgba32f draw_grid(const RasterMeterInputs& in, const graph::Access& access, int step) {
+  const glm::ivec2 samples = sample_size(in.view), entries = samples / step;
+  RasterTargets& targets = in.raster.targets;
+  const gl::Texture& real = ensure_target(targets.meter, gl::TextureFormat::Rgba32f, entries);
+  const gl::Texture& mixed =
+      ensure_target(targets.meter_unused, gl::TextureFormat::Rgba32f, entries);
+  const gl::Texture& depth =
+      ensure_target(targets.meter_depth, gl::TextureFormat::Depth32f, entries);
+  const gl::Framebuffer framebuffer({.colors = {&mixed, &real}, .depth = &depth});
+  gl::apply({.depth = gl::PipelineState::Depth::NearestWrites});
+  framebuffer.bind();
+  framebuffer.clear_color(1, glm::vec4(0.0f));
+  framebuffer.clear_depth();
+  // Centres of texels fall on centres of those samples.
+  const float shift = 0.5f - (static_cast<float>(step / 2) + 0.5f) / static_cast<float>(step);
+  glViewportIndexedf(0, shift, shift, static_cast<float>(samples.x) / static_cast<float>(step),
+                     static_cast<float>(samples.y) / static_cast<float>(step));
+  access.get(in.mask.device).flags->bind(gl::kMaskUnit);
+  tell_mask_step(in.raster, step);
+  bind_lights(in.raster, in.shadows, access);
+  draw_items(in.raster, access.get(in.device_view), in.raster.shaders.shade_diffuse,
+             TextureUse::Color, [](const DrawItem& item) {
+               return item.role == scene::Role::Real && !scene::is_specular(item.kind);
+             });
+  return read_rgba(&real);
+}
+
+}  // namespace
+
+graph::Handle<MeterGrid> add_raster_meter_pass(graph::FrameGraph& graph,
+                                               const RasterMeterInputs& in) {
   graph::Builder builder = graph.add_pass("meter");
-  builder.needs(real);
+  builder.needs(in.mask.diffuse);
+  builder.needs(in.mask.device);
+  builder.needs(in.device_view);
+  builder.needs(in.shadows.lights);
+  for (const auto& map : in.shadows.maps) builder.uses(map);
   const auto out = builder.writes<MeterGrid>("meter grid");
-  builder.runs([real, out, &view](const graph::Access& access) {
-    const int n = view.samples_per_side;
-    const int step = meter_step(glm::ivec2(view.ideal.width, view.ideal.height) * n);
-    access.set(out, MeterGrid{read_rgba_downsampled(access.get(real), step), step, n});
+  builder.runs([in, out](const graph::Access& access) {
+    const int step = meter_step(sample_size(in.view));
+    access.set(out, MeterGrid{draw_grid(in, access, step), step, in.view.samples_per_side});
   });
   return out;
 }

@@ -1,14 +1,24 @@
-// The exposure meter's grid from the rasterised I_r.
+// The exposure meter's grid from rasterised real surfaces: a few thousand samples shaded for it
+// alone, because what the picture needs is only shaded where something virtual may show.
 #pragma once
 
 #include "graph/frame_graph.h"
+#include "passes/diffuse.h"
 #include "passes/exposure_meter.h"
 #include "passes/frame_resources.h"
 
 namespace amalgam::passes {
 
-// real: I_r with alpha 1 on real surfaces, a texel a sample.
-graph::Handle<MeterGrid> add_raster_meter_pass(graph::FrameGraph& graph, const RenderView& view,
-                                               graph::Handle<DeviceImage> real);
+struct RasterMeterInputs {
+  const RasterContext& raster;
+  const RenderView& view;
+  graph::Handle<DeviceView> device_view;
+  MaskOutputs mask;
+  ShadowMapOutputs shadows;
+};
+
+// Absent: "no diffuse object in view".
+graph::Handle<MeterGrid> add_raster_meter_pass(graph::FrameGraph& graph,
+                                               const RasterMeterInputs& in);
 
 }  // namespace amalgam::passes

@@ -5,23 +5,19 @@
 //   difference = mean((1 - M_v) (TM(I_m) - TM(I_r)))
 //
 // with TM of scene/tone_map.h and one exposure for both images (numerics A4). Samples that are
-// specular or see no surface add zero.
+// specular or see no surface add zero. Only tiles that something virtual shows in exist.
 #pragma once
 
 #include <cstdint>
 
 #include "graph/frame_graph.h"
-#include "passes/diffuse.h"
 #include "passes/effect.h"
 #include "passes/frame_resources.h"
-#include "passes/raster_context.h"
 
 namespace amalgam::passes {
 
 struct ResolveInputs {
-  const RasterContext& raster;
   const RenderView& view;
-  DiffuseOutputs diffuse;
   graph::Handle<DiffuseEffect> effect;  // without it all layers would be zero
   graph::Handle<float> exposure;
 };

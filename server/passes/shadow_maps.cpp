@@ -29,6 +29,10 @@ bool is_glass(CasterClass casters) {
   return casters == CasterClass::RealGlass || casters == CasterClass::VirtualGlass;
 }
 
+bool is_virtual(CasterClass casters) {
+  return casters == CasterClass::VirtualOpaque || casters == CasterClass::VirtualGlass;
+}
+
 bool has_casters(const ShadowMapInputs& in, CasterClass casters) {
   const auto& instances = in.view.scene.instances;
   return std::any_of(instances.begin(), instances.end(), [&](const auto& anchored) {
@@ -119,7 +123,7 @@ graph::Handle<ShadowMap> add_caster_class(graph::FrameGraph& graph, const Shadow
   }
   if (entry.image && holds(entry.drawn_for, in)) {
     graph.note_left_out(pass, kNothingMoved);
-    return graph.import(resource, ShadowMap{&*entry.image});
+    return graph.import(resource, ShadowMap{&*entry.image, entry.cells});
   }
   graph::Builder builder = graph.add_pass(pass);
   builder.needs(lights);
@@ -136,8 +140,12 @@ graph::Handle<ShadowMap> add_caster_class(graph::FrameGraph& graph, const Shadow
       draw_layer(in.raster, access.get(in.device_view), casters, image, layer);
     }
     glFinish();  // or this pass's time would be charged to whoever waits for the GPU next
+    if (is_virtual(casters)) {
+      entry.cells =
+          std::make_shared<const CasterCells>(CasterCells::of(image, device_lights->layout.size));
+    }
     entry.drawn_for = device_lights;
-    access.set(out, ShadowMap{&image});
+    access.set(out, ShadowMap{&image, entry.cells});
   });
   return out;
 }

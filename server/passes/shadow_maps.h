@@ -15,6 +15,7 @@
 
 #include "gl/buffer.h"
 #include "graph/frame_graph.h"
+#include "passes/caster_cells.h"
 #include "passes/frame_resources.h"
 #include "passes/raster_context.h"
 #include "passes/shadow_layout.h"
@@ -29,6 +30,7 @@ constexpr std::size_t kCasterClasses = 4;
 // Glass: RGBA32F at half the side, optical depth in RGB, the nearest glass's reversed depth in A.
 struct ShadowMap {
   DeviceImage image = nullptr;
+  std::shared_ptr<const CasterCells> cells{};  // of virtual casters only
 };
 
 // The lights and where their layers are, on both sides of the bus.
@@ -44,6 +46,7 @@ using SharedLights = std::shared_ptr<const DeviceLights>;
 struct ShadowCache {
   struct Entry {
     std::optional<gl::Texture> image;
+    std::shared_ptr<const CasterCells> cells;
     SharedLights drawn_for;
   };
   std::array<Entry, kCasterClasses> entries;

@@ -39,20 +39,25 @@ RasterFrame RasterRig::render(const passes::RenderView& view, float exposure) {
   const auto mask = passes::add_mask_pass(graph, {raster, view, uploaded.device_view});
   const auto shadows = passes::add_shadow_maps_pass(
       graph, {raster, view, uploaded.device_view, shadows_, shadow_options});
+  const auto reached =
+      passes::add_reached_tiles_pass(graph, {raster, view, mask, shadows, !leave_out_tiles});
   const auto diffuse =
-      passes::add_diffuse_pass(graph, {raster, view, uploaded.device_view, mask, shadows});
-  const auto effect = passes::add_effect_pass(graph, {raster, diffuse});
+      passes::add_diffuse_pass(graph, {raster, view, uploaded.device_view, mask, shadows, reached});
+  const auto effect = passes::add_effect_pass(graph, {raster, view, diffuse, reached});
   const auto real_depth =
       passes::add_real_depth_pass(graph, {raster, view, uploaded.device_view, mask.specular});
-  const auto resolve = passes::add_resolve_pass(
-      graph, {raster, view, diffuse, effect.effect, graph.import("exposure", exposure)});
+  const auto resolve =
+      passes::add_resolve_pass(graph, {view, effect.effect, graph.import("exposure", exposure)});
 
   RasterFrame frame;
   frame.mask = realise(graph, mask.mask);
   frame.counts = realise(graph, mask.counts);
   frame.real_depth = realise(graph, real_depth.depth);
-  frame.mixed = read(graph, diffuse.mixed);
-  frame.real = read(graph, diffuse.real);
+  if (!leave_out_tiles) {
+    frame.mixed = read(graph, diffuse.mixed);
+    frame.real = read(graph, diffuse.real);
+  }
+  if (const auto* tiles = graph.realise(reached)) frame.reached = tiles->tiles;
   frame.layers = realise(graph, resolve.layers);
   frame.nonfinite = realise(graph, resolve.nonfinite).value_or(0);
   frame.diffuse_effect = graph.realise(effect.effect) != nullptr;

@@ -28,6 +28,7 @@ struct RasterFrame {
   std::optional<passes::SampleCounts> counts;
   std::optional<passes::RealDepth> real_depth;
   std::optional<core::ImageRgba32f> mixed, real;  // I_m, I_r
+  std::vector<std::size_t> reached;
   std::optional<passes::Layers> layers;
   std::uint64_t nonfinite = 0;
   bool diffuse_effect = false;
@@ -48,6 +49,7 @@ class RasterRig {
   RasterFrame render(const passes::RenderView& view, float exposure = 1.0f);
 
   passes::ShadowOptions shadow_options{};
+  bool leave_out_tiles = false;  // if so, there is no mixed and no real
 
  private:
   std::shared_ptr<gl::EglContext> context_;

@@ -6,7 +6,6 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "passes/read_back.h"
 #include "scene/tone_map.h"
 #include "support/scene_builders.h"
 #include "unit/passes/raster_rig.h"
@@ -174,26 +173,6 @@ TEST(EffectPass, SeesAShadowOfWhatIsNotInView) {
   EXPECT_TRUE(none.report("effect").ran);
   EXPECT_FALSE(none.report("resolve").ran);
   EXPECT_EQ(none.report("resolve").reason, "nothing virtual has an effect on this frame");
-}
-
-TEST(ReadBack, DownsamplesToTheTexelInTheMiddleOfEachBlock) {
-  const auto context = shared_context();
-  gl::Texture texture(gl::TextureFormat::Rgba32f, {13, 9});
-  core::ImageRgba32f pixels(13, 9);
-  for (int y = 0; y < 9; ++y) {
-    for (int x = 0; x < 13; ++x) pixels.at(x, y) = {x, y, 0.25f, 1e30f};
-  }
-  texture.upload(pixels.data());
-  EXPECT_EQ(read_rgba(&texture), pixels);
-  for (const int step : {2, 3, 4}) {
-    const core::ImageRgba32f small = read_rgba_downsampled(&texture, step);
-    ASSERT_EQ(small.size(), glm::ivec2(13 / step, 9 / step));
-    for (int y = 0; y < small.height(); ++y) {
-      for (int x = 0; x < small.width(); ++x) {
-        ASSERT_EQ(small.at(x, y), pixels.at(x * step + step / 2, y * step + step / 2)) << step;
-      }
-    }
-  }
 }
 
 }  // namespace

@@ -1,7 +1,0 @@
-#version 450 core
-// One triangle that covers every pixel.
-layout(location = 0) in vec3 position;
-
-void main() {
-  gl_Position = vec4(position, 1.0);
-}
