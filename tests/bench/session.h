@@ -1,0 +1,33 @@
+// A client's session in the bench: sends frames of a case to a server and waits for composites.
+#pragma once
+
+#include <cstdint>
+
+#include "bench/bench_case.h"
+#include "support/net/test_client.h"
+
+namespace amalgam::bench {
+
+class Session {
+ public:
+  // Says hello with the case's camera. The case must outlive the session. Throws
+  // std::runtime_error.
+  Session(const net::HostPort& server, const BenchCase& bench_case);
+
+  void send_frame();
+  // Waits for the next composite.
+  protocol::Composite receive_composite();
+  // Sends a frame and waits for its composite; the time that took.
+  double round_trip_milliseconds();
+
+ private:
+  const BenchCase& case_;
+  test::TestClient client_;
+  protocol::Envelope frame_;
+  std::uint64_t last_frame_ = 0;
+};
+
+// Composites a second: a frame is always waiting while another is rendered.
+double frames_per_second(Session& session, double seconds);
+
+}  // namespace amalgam::bench
