@@ -82,6 +82,10 @@ void print_row(std::ostream& out, const ThesisResult& result) {
 
 }  // namespace
 
+void print_head(std::ostream& out, int cores) {
+  out << "goals, on " << cores << " cores: name, ratio, goal, verdict, how (spread)\n";
+}
+
 void print_line(std::ostream& out, const GoalLine& line) {
   const auto* measured = std::get_if<Measurement>(&line.outcome);
   const std::string value = measured != nullptr ? number(measured->value) : "-";
@@ -93,13 +97,11 @@ void print_line(std::ostream& out, const GoalLine& line) {
   out << text << line.goal.what << " (" << note_of(line) << ")\n";
 }
 
-void print_text(std::ostream& out, const GoalReport& report) {
-  out << "goals, on " << report.cores << " cores: name, ratio, goal, verdict, how (spread)\n";
-  for (const GoalLine& line : report.lines) print_line(out, line);
-  if (report.thesis.empty()) return;
+void print_thesis(std::ostream& out, const std::vector<ThesisResult>& results) {
+  if (results.empty()) return;
   out << "\nthesis Table 6.1: scene, samples, size, renderer, thesis fps, ours, ratio, mean error "
          "in 1/255\n";
-  for (const ThesisResult& result : report.thesis) print_row(out, result);
+  for (const ThesisResult& result : results) print_row(out, result);
 }
 
 void print_json(std::ostream& out, const GoalReport& report) {

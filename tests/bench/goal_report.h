@@ -15,8 +15,12 @@ struct GoalReport {
   std::vector<ThesisResult> thesis;  // empty: no goal asked for the table
 };
 
+// Text is printed as it comes: the head, a line for each goal, and last the rows (nothing if there
+// are none).
+void print_head(std::ostream& out, int cores);
 void print_line(std::ostream& out, const GoalLine& line);
-void print_text(std::ostream& out, const GoalReport& report);
+void print_thesis(std::ostream& out, const std::vector<ThesisResult>& results);
+
 // One object: cores, goals, table_6_1. Numbers that were not measured are null.
 void print_json(std::ostream& out, const GoalReport& report);
 

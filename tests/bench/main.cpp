@@ -36,14 +36,21 @@ void run_goals(const BenchOptions& options) {
   const int cores = keep_to_two_cores();
   core::set_log_level("warn");
   GoalBench bench(options.scenes, cores);
+  if (!options.json) print_head(std::cout, cores);
   GoalReport report{.cores = cores, .lines = {}, .thesis = {}};
   for (const MeasuredGoal& goal : all_goals()) {
     if (!is_wanted(goal.goal.name, options.only)) continue;
     report.lines.push_back(measure(goal, bench));
+    if (!options.json) print_line(std::cout, report.lines.back());
+    std::cout.flush();
   }
   say_progress("done");
   report.thesis = bench.measured_thesis();
-  options.json ? print_json(std::cout, report) : print_text(std::cout, report);
+  if (options.json) {
+    print_json(std::cout, report);
+  } else {
+    print_thesis(std::cout, report.thesis);
+  }
 }
 
 void run_benchmarks(BenchOptions& options) {

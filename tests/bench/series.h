@@ -27,7 +27,7 @@ Ratio ratio_of_rounds(const std::vector<double>& above, const std::vector<double
 
 struct Rounds {
   int least = 2, most = 9;
-  double seconds = 15.0;  // no round begins after this once there are enough
+  double seconds = 10.0;  // no round begins after this once there are enough
 };
 
 // Runs above(), below(), above(), ... each of which returns its measurement.

@@ -1,5 +1,7 @@
 #include "bench/session.h"
 
+#include <optional>
+
 #include "core/timings.h"
 
 namespace amalgam::bench {
@@ -48,8 +50,8 @@ void Session::send_frame() {
   client_.send(frame_);
 }
 
-protocol::Composite Session::receive_composite() {
-  return client_.expect(protocol::Envelope::kComposite).composite();
+void Session::receive_composite() {
+  last_answered_ = client_.expect(protocol::Envelope::kComposite).composite().frame_id();
 }
 
 double Session::round_trip_milliseconds() {
@@ -59,19 +61,21 @@ double Session::round_trip_milliseconds() {
   return stopwatch.milliseconds();
 }
 
-double frames_per_second(Session& session, double seconds) {
-  session.send_frame();
-  session.send_frame();
-  session.receive_composite();
-  const core::Stopwatch stopwatch;
+double Session::frames_per_second(double seconds) {
+  std::optional<core::Stopwatch> stopwatch;  // from the first composite on
   int frames = 0;
-  while (stopwatch.milliseconds() < 1000.0 * seconds) {
-    session.send_frame();
-    session.receive_composite();
-    ++frames;
+  while (!stopwatch || stopwatch->milliseconds() < 1000.0 * seconds) {
+    while (last_frame_ - last_answered_ < 2) send_frame();
+    receive_composite();
+    if (stopwatch) {
+      ++frames;
+    } else {
+      stopwatch.emplace();
+    }
   }
-  const double elapsed = stopwatch.milliseconds();
-  session.receive_composite();  // the one that waits
+  const double elapsed = stopwatch->milliseconds();
+  // A newer frame may have replaced one that waited, but the last one is always answered.
+  while (last_answered_ < last_frame_) receive_composite();
   return 1000.0 * frames / elapsed;
 }
 

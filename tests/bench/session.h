@@ -14,20 +14,19 @@ class Session {
   // std::runtime_error.
   Session(const net::HostPort& server, const BenchCase& bench_case);
 
-  void send_frame();
-  // Waits for the next composite.
-  protocol::Composite receive_composite();
   // Sends a frame and waits for its composite; the time that took.
   double round_trip_milliseconds();
+  // Composites a second: a frame is always waiting while another is rendered.
+  double frames_per_second(double seconds);
 
  private:
+  void send_frame();
+  void receive_composite();
+
   const BenchCase& case_;
   test::TestClient client_;
   protocol::Envelope frame_;
-  std::uint64_t last_frame_ = 0;
+  std::uint64_t last_frame_ = 0, last_answered_ = 0;
 };
-
-// Composites a second: a frame is always waiting while another is rendered.
-double frames_per_second(Session& session, double seconds);
 
 }  // namespace amalgam::bench

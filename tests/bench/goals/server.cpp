@@ -15,8 +15,8 @@ constexpr double kSecondsOfStream = 3.0;
 // The two rates while both clients stream, as shares of what each gets alone.
 double shares_together(Session& one, Session& two, double one_alone, double two_alone) {
   auto other =
-      std::async(std::launch::async, [&] { return frames_per_second(two, kSecondsOfStream); });
-  const double first = frames_per_second(one, kSecondsOfStream);
+      std::async(std::launch::async, [&] { return two.frames_per_second(kSecondsOfStream); });
+  const double first = one.frames_per_second(kSecondsOfStream);
   return first / one_alone + other.get() / two_alone;
 }
 
@@ -45,8 +45,8 @@ Outcome measure_two_clients(GoalBench& bench) {
   two.round_trip_milliseconds();
   std::vector<double> together, alone;
   for (int round = 0; round < 3; ++round) {
-    const double one_alone = frames_per_second(one, kSecondsOfStream);
-    const double two_alone = frames_per_second(two, kSecondsOfStream);
+    const double one_alone = one.frames_per_second(kSecondsOfStream);
+    const double two_alone = two.frames_per_second(kSecondsOfStream);
     together.push_back(shares_together(one, two, one_alone, two_alone));
     alone.push_back(1.0);
   }
