@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "bench/two_cores.h"
-#include "integration/programs/child_process.h"
+#include "support/child_process.h"
 
 namespace amalgam::bench {
 namespace {

@@ -32,6 +32,7 @@ struct Measurement {
 
 struct NotMeasured {
   std::string reason;
+  bool failed = false;  // something went wrong, rather than being absent
 };
 
 using Outcome = std::variant<Measurement, NotMeasured>;

@@ -59,7 +59,7 @@ Json to_json(const ThesisResult& result) {
           {"ratio", result.ratio()},
           {"error", result.error},
           {"adaptive", result.adaptive},
-          {"fixed_error", result.fixed_error},
+          {"adaptive_error", result.adaptive_error ? Json(*result.adaptive_error) : Json(nullptr)},
           {"held_to_goal", is_held_to_goal(row)}};
 }
 
@@ -68,7 +68,10 @@ void print_row(std::ostream& out, const ThesisResult& result) {
   const std::string size = std::to_string(row.width) + "x" + std::to_string(row.height);
   const std::string samples = row.samples == 1 ? "" : std::to_string(row.samples) + "x";
   std::string note = result.adaptive ? "adaptive" : "";
-  if (row.samples > 1 && !result.adaptive) note = "adaptive is further off";
+  if (result.adaptive_error && !result.adaptive) {
+    note = *result.adaptive_error > result.error ? "fixed: adaptive is further off"
+                                                 : "fixed: adaptive is slower";
+  }
   if (!is_held_to_goal(row)) {
     note = row.pc == 1 ? "no such method here: hybrid" : "the thesis's other PC";
   }

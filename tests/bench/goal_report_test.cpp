@@ -22,7 +22,7 @@ GoalReport make_report() {
        .frames_per_second = 5.0,
        .adaptive = true,
        .error = 0.4,
-       .fixed_error = 0.5});
+       .adaptive_error = 0.4});
   return report;
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 
 #include "bench/goals/goal_list.h"
 
@@ -45,12 +46,23 @@ TEST(Goal, IsNeitherWhereNothingWasMeasured) {
   EXPECT_EQ(verdict(line(Comparison::AtMost, 1.0, NotMeasured{"no scene"})), Verdict::NotMeasured);
 }
 
+TEST(Goal, WhatGoesWrongIsNoFigure) {
+  GoalBench bench("/there/is/no/such/folder", 2);
+  const MeasuredGoal broken{{"broken", "", Comparison::AtMost, 1.0, ""},
+                            [](GoalBench&) -> Outcome { throw std::runtime_error("no GPU"); }};
+  const GoalLine result = measure(broken, bench);
+  ASSERT_EQ(verdict(result), Verdict::NotMeasured);
+  EXPECT_TRUE(std::get<NotMeasured>(result.outcome).failed);
+  EXPECT_EQ(std::get<NotMeasured>(result.outcome).reason, "failed: no GPU");
+}
+
 TEST(Goal, AMissingSceneIsNotMeasured) {
   GoalBench bench("/there/is/no/such/folder", 2);
   for (const MeasuredGoal& goal : all_goals()) {
     if (goal.goal.name != "hybrid" && goal.goal.name != "thesis-rows") continue;
     const GoalLine result = measure(goal, bench);
     ASSERT_EQ(verdict(result), Verdict::NotMeasured) << goal.goal.name;
+    EXPECT_FALSE(std::get<NotMeasured>(result.outcome).failed);
     EXPECT_NE(std::get<NotMeasured>(result.outcome).reason.find("fetch_assets.sh"),
               std::string::npos);
   }

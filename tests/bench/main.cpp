@@ -31,6 +31,11 @@ void check_names(const std::vector<std::string>& only) {
   }
 }
 
+bool has_failed(const GoalLine& line) {
+  const auto* missing = std::get_if<NotMeasured>(&line.outcome);
+  return missing != nullptr && missing->failed;
+}
+
 void run_goals(const BenchOptions& options) {
   check_names(options.only);
   const int cores = keep_to_two_cores();
@@ -50,6 +55,9 @@ void run_goals(const BenchOptions& options) {
     print_json(std::cout, report);
   } else {
     print_thesis(std::cout, report.thesis);
+  }
+  if (std::any_of(report.lines.begin(), report.lines.end(), has_failed)) {
+    throw std::runtime_error("not all goals could be measured");
   }
 }
 

@@ -94,7 +94,7 @@ double RenderRig::render_milliseconds() {
 
 double median_frame_milliseconds(RenderRig& rig, double seconds) {
   const double budget = 1000.0 * seconds;
-  if (rig.first_milliseconds() > budget) return rig.first_milliseconds();
+  if (rig.first_milliseconds() > 3.0 * budget) return rig.first_milliseconds();
   const core::Stopwatch stopwatch;
   std::vector<double> times;
   constexpr std::size_t kEnough = 15;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
+#include <string>
 
 namespace amalgam::bench {
 namespace {
@@ -27,7 +29,10 @@ double sum_if(const core::StageTimes& stages, const Counts& counts) {
 }  // namespace
 
 double stage_milliseconds(const core::StageTimes& stages, std::string_view name) {
-  return sum_if(stages, [&](const std::string& stage) { return stage == name; });
+  for (const core::StageTime& stage : stages) {
+    if (stage.stage == name) return stage.milliseconds;
+  }
+  throw std::runtime_error("no stage '" + std::string(name) + "' in the frame");
 }
 
 double raster_milliseconds(const core::StageTimes& stages) {

@@ -7,7 +7,7 @@
 
 namespace amalgam::bench {
 
-// 0 if the stage did not run.
+// Throws std::runtime_error if the stage did not run: a ratio to it would mean nothing.
 double stage_milliseconds(const core::StageTimes& stages, std::string_view name);
 
 // Everything but the tracer, the codecs and what runs only when something moved.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 namespace amalgam::bench {
 namespace {
 
@@ -17,7 +19,10 @@ TEST(StageSums, RasterIsAllButTracerCodecsAndWhatMoved) {
 TEST(StageSums, TheWholeIsNoStage) {
   EXPECT_DOUBLE_EQ(sum_of_stages(kStages), 511);
   EXPECT_DOUBLE_EQ(stage_milliseconds(kStages, "trace"), 32);
-  EXPECT_DOUBLE_EQ(stage_milliseconds(kStages, "warp"), 0);
+}
+
+TEST(StageSums, AStageThatDidNotRunHasNoTime) {
+  EXPECT_THROW(stage_milliseconds(kStages, "warp"), std::runtime_error);
 }
 
 }  // namespace

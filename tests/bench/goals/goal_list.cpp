@@ -56,6 +56,8 @@ GoalLine measure(const MeasuredGoal& goal, GoalBench& bench) {
     return {goal.goal, goal.measure(bench)};
   } catch (const MissingScene& missing) {
     return {goal.goal, NotMeasured{missing.what()}};
+  } catch (const std::exception& error) {
+    return {goal.goal, NotMeasured{std::string("failed: ") + error.what(), true}};
   }
 }
 

@@ -15,7 +15,8 @@ struct MeasuredGoal {
 
 const std::vector<MeasuredGoal>& all_goals();
 
-// Measures; a scene that is missing makes the outcome NotMeasured. Throws whatever else goes wrong.
+// Measures. A scene that is missing makes the outcome NotMeasured; so does what goes wrong, so that
+// the other goals are measured all the same.
 GoalLine measure(const MeasuredGoal& goal, GoalBench& bench);
 
 }  // namespace amalgam::bench

@@ -11,7 +11,7 @@ namespace amalgam::bench {
 namespace {
 
 constexpr int kFramesToSteady = 4;
-constexpr int kFrames = 7;
+constexpr int kFrames = 5;
 constexpr int kFurtherSessions = 4;
 
 void send_frames(Session& session, int count) {
