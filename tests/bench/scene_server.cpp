@@ -5,8 +5,11 @@
 namespace amalgam::bench {
 namespace {
 
-net::ServerConfig free_ports() {
+// Patient: a session says nothing, not even a pong, while the other side of a ratio is measured.
+net::ServerConfig bench_config() {
   net::ServerConfig config;
+  constexpr std::chrono::minutes kPatience{10};
+  config.session.ping_interval = config.session.idle_timeout = kPatience;
   config.listen.port = 0;
   config.admin.port = 0;
   return config;
@@ -17,7 +20,7 @@ net::ServerConfig free_ports() {
 SceneServer::SceneServer(const std::filesystem::path& scene,
                          const frame::RendererSettings& settings)
     : service_(frame::make_render_service(scene.string(), {.renderer = settings})),
-      server_(free_ports()) {
+      server_(bench_config()) {
   server_.serve(*service_);
   network_ = std::thread([this] { server_.run(); });
 }

@@ -5,18 +5,14 @@
 #include "bench/goals/measures.h"
 #include "bench/page_faults.h"
 #include "bench/render_rig.h"
-#include "bench/session.h"
+#include "bench/streaming_session.h"
 
 namespace amalgam::bench {
 namespace {
 
 constexpr int kFramesToSteady = 4;
 constexpr int kFrames = 5;
-constexpr int kFurtherSessions = 4;
-
-void send_frames(Session& session, int count) {
-  for (int i = 0; i < count; ++i) session.round_trip_milliseconds();
-}
+constexpr int kFurtherSessions = 3;
 
 }  // namespace
 
@@ -40,14 +36,14 @@ Outcome measure_session_memory(GoalBench& bench) {
   if (!ChildServer::is_built()) return NotMeasured{"amalgam-server is not built"};
   const BenchCase complex = bench.scenes().complex(1280, 1024);
   ChildServer server(complex.scene_path);
-  Session first(server.address(), complex);
-  send_frames(first, kFramesToSteady);
+  StreamingSession first(server.address(), complex);
+  first.wait_for(kFramesToSteady);
   std::vector<double> megabytes;
-  std::vector<std::unique_ptr<Session>> further;
+  std::vector<std::unique_ptr<StreamingSession>> further;
   double before = server.resident_megabytes();
   for (int i = 0; i < kFurtherSessions; ++i) {
-    further.push_back(std::make_unique<Session>(server.address(), complex));
-    send_frames(*further.back(), 2);
+    further.push_back(std::make_unique<StreamingSession>(server.address(), complex));
+    further.back()->wait_for(2);
     const double after = server.resident_megabytes();
     megabytes.push_back(after - before);
     before = after;
