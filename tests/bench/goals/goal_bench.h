@@ -11,6 +11,11 @@
 
 namespace amalgam::bench {
 
+// Frame times with nine samples a pixel to one, and with adaptive ones to nine.
+struct SampleCosts {
+  Measurement nine, adaptive;
+};
+
 class GoalBench {
  public:
   GoalBench(const std::filesystem::path& scene_folder, int cores)
@@ -21,6 +26,8 @@ class GoalBench {
 
   // Table 6.1 anew; takes long the first time. Throws MissingScene.
   const std::vector<ThesisResult>& thesis();
+  // Of the worse of two scenes. Throws MissingScene.
+  const SampleCosts& samples();
   // What thesis() gave, if anything asked for it.
   const std::vector<ThesisResult>& measured_thesis() const { return thesis_; }
 
@@ -28,6 +35,7 @@ class GoalBench {
   BenchScenes scenes_;
   int cores_;
   std::vector<ThesisResult> thesis_;
+  std::optional<SampleCosts> samples_;
 };
 
 }  // namespace amalgam::bench

@@ -4,11 +4,14 @@
 #include "bench/goals/measures.h"
 #include "bench/picture_error.h"
 #include "bench/render_rig.h"
+#include "core/timings.h"
 
 namespace amalgam::bench {
 namespace {
 
-constexpr Rounds kRounds{.least = 1, .most = 5, .seconds = 12.0};
+constexpr int kMostRounds = 5;
+constexpr double kSeconds = 10.0;  // for a scene; no round begins later
+constexpr double kAlike = 0.99;    // SSIM
 
 frame::RendererSettings with_samples(std::string_view samples) {
   frame::RendererSettings settings = default_settings();
@@ -16,14 +19,36 @@ frame::RendererSettings with_samples(std::string_view samples) {
   return settings;
 }
 
-std::vector<BenchCase> cases(const GoalBench& bench) {
-  std::vector<BenchCase> result;
-  result.push_back(bench.scenes().complex(800, 600));
-  result.push_back(bench.scenes().glass_bunny(800, 600));
-  return result;
+SampleCosts measure_scene(const BenchCase& bench_case) {
+  RenderRig one(bench_case, with_samples("1")),
+      nine(bench_case, with_samples("9"), {.keep_pixels = true}),
+      adaptive(bench_case, with_samples("adaptive"), {.keep_pixels = true});
+  std::vector<double> one_times, nine_times, adaptive_times;
+  core::ImageRgb8 nine_pixels, adaptive_pixels;
+  const auto time = [](RenderRig& rig, core::ImageRgb8& pixels) {
+    const core::Stopwatch stopwatch;
+    pixels = rig.render().pixels;
+    return stopwatch.milliseconds();
+  };
+  const core::Stopwatch stopwatch;
+  do {
+    one_times.push_back(one.render_milliseconds());
+    nine_times.push_back(time(nine, nine_pixels));
+    adaptive_times.push_back(time(adaptive, adaptive_pixels));
+  } while (stopwatch.milliseconds() < 1000.0 * kSeconds && one_times.size() < kMostRounds);
+
+  const Ratio nine_to_one = ratio_of_rounds(nine_times, one_times);
+  const Ratio adaptive_to_nine = ratio_of_rounds(adaptive_times, nine_times);
+  const double likeness = ssim(adaptive_pixels, nine_pixels);
+  SampleCosts costs{
+      to_measurement(nine_to_one, bench_case.name + ": " + describe(nine_to_one)),
+      to_measurement(adaptive_to_nine, bench_case.name + ": " + describe(adaptive_to_nine) +
+                                           ", SSIM " + std::to_string(likeness).substr(0, 6))};
+  if (likeness < kAlike) costs.adaptive.broken_condition = bench_case.name + ": SSIM too low";
+  return costs;
 }
 
-// Of two scenes, the one that is further from the goal (at most).
+// Of two scenes, the one that is further from a goal of "at most".
 Measurement worse(const Measurement& a, const Measurement& b) {
   Measurement result = a.value >= b.value ? a : b;
   result.low = std::min(a.low, b.low);
@@ -33,36 +58,23 @@ Measurement worse(const Measurement& a, const Measurement& b) {
   return result;
 }
 
-Measurement measure_case(const BenchCase& bench_case, std::string_view above_samples,
-                         std::string_view below_samples, bool compare) {
-  RenderRig above(bench_case, with_samples(above_samples), {.keep_pixels = compare}),
-      below(bench_case, with_samples(below_samples), {.keep_pixels = compare});
-  const Ratio ratio = measure_by_turns(
-      kRounds, [&] { return above.render_milliseconds(); },
-      [&] { return below.render_milliseconds(); });
-  Measurement measured = to_measurement(ratio, bench_case.name + ": " + describe(ratio));
-  if (!compare) return measured;
-  const double likeness = ssim(above.render().pixels, below.render().pixels);
-  measured.note += ", SSIM " + std::to_string(likeness).substr(0, 6);
-  if (likeness < 0.99) measured.broken_condition = bench_case.name + " is not like enough";
-  return measured;
-}
-
-Measurement measure_both(GoalBench& bench, std::string_view above, std::string_view below,
-                         bool compare) {
-  const std::vector<BenchCase> scenes = cases(bench);
-  return worse(measure_case(scenes[0], above, below, compare),
-               measure_case(scenes[1], above, below, compare));
-}
-
 }  // namespace
 
+const SampleCosts& GoalBench::samples() {
+  if (!samples_) {
+    const SampleCosts complex = measure_scene(scenes_.complex(800, 600));
+    const SampleCosts bunny = measure_scene(scenes_.glass_bunny(800, 600));
+    samples_ = {worse(complex.nine, bunny.nine), worse(complex.adaptive, bunny.adaptive)};
+  }
+  return *samples_;
+}
+
 Outcome measure_nine_samples(GoalBench& bench) {
-  return measure_both(bench, "9", "1", false);
+  return bench.samples().nine;
 }
 
 Outcome measure_adaptive(GoalBench& bench) {
-  return measure_both(bench, "adaptive", "9", true);
+  return bench.samples().adaptive;
 }
 
 }  // namespace amalgam::bench

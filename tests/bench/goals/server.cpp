@@ -10,7 +10,7 @@
 namespace amalgam::bench {
 namespace {
 
-constexpr double kSecondsOfStream = 3.0;
+constexpr double kSecondsOfStream = 2.0;
 
 // The two rates while both clients stream, as shares of what each gets alone.
 double shares_together(Session& one, Session& two, double one_alone, double two_alone) {

@@ -29,7 +29,9 @@ Measurement lowest_row(const std::vector<ThesisResult>& results, const Counts& c
 const std::vector<ThesisResult>& GoalBench::thesis() {
   if (thesis_.empty()) {
     ThesisMeter meter(scenes_);
-    for (const ThesisRow& row : thesis_table()) thesis_.push_back(meter.measure(row));
+    std::vector<ThesisResult> results;  // all rows or none
+    for (const ThesisRow& row : thesis_table()) results.push_back(meter.measure(row));
+    thesis_ = std::move(results);
   }
   return thesis_;
 }

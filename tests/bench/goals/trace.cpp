@@ -1,6 +1,7 @@
 // The tracer against itself on one thread, and against what Embree alone takes for its rays.
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "bench/goals/measures.h"
 #include "bench/ray_log.h"
@@ -47,6 +48,7 @@ Outcome measure_trace_replay(GoalBench& bench) {
   const BenchCase bunny = bench.scenes().glass_bunny(1280, 1024);
   const std::optional<trace::RayLog> log = record_rays(bunny);
   if (!log) return NotMeasured{"the tracer does not record its rays yet"};
+  if (log->rays.empty()) throw std::runtime_error("the tracer recorded no rays");
   const Replay replay(bunny.scene, scene::anchor_scene(bunny.scene, bunny.input.poses));
   std::vector<ReplayAnswer> singles(log->rays.size()), packets(log->rays.size());
   const auto run = [&](ReplayCall call) {
