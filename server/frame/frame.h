@@ -19,6 +19,7 @@
 #include "core/provenance.h"
 #include "core/ray_counts.h"
 #include "core/timings.h"
+#include "frame/frame_quality.h"
 
 namespace amalgam::frame {
 
@@ -38,7 +39,8 @@ struct PassRecord {
   bool operator==(const PassRecord&) const = default;
 };
 
-// Of the camera image, or of the ideal image if the lens distorts.
+// Of the image that is rendered: as large as the camera's, unless the lens distorts or the render
+// scale is below 1.
 struct PixelCounts {
   std::uint64_t virtual_pixels = 0;
   std::uint64_t specular = 0;
@@ -53,6 +55,7 @@ struct FrameStatistics {
   PixelCounts pixels;
   std::uint64_t nonfinite = 0;  // values that a stage had to replace by 0
   float exposure = 1.0f;
+  std::optional<FrameQuality> quality;  // only if there is a target frame rate
 };
 
 struct FrameOutput {

@@ -146,8 +146,13 @@ FramePasses add_frame_passes(graph::FrameGraph& graph, const SceneResources& res
   frame.layers = passes::add_merge_pass(graph, {frame.rasterised, frame.traced});
   add_refinement(graph, resources, request, frame);
   auto layers = frame.layers;
-  if (request.view.warp_map) {
-    layers = passes::add_warp_pass(graph, frame.layers, *request.view.warp_map);
+  const float scale = request.settings.render_scale;
+  const core::CameraModel& camera = request.view.options.camera;
+  if (request.view.warp_map || scale < 1.0f) {
+    const auto& map = request.view.warp_map;
+    layers = passes::add_warp_pass(
+        graph, frame.layers,
+        {.size = {camera.width, camera.height}, .lens = map ? &*map : nullptr, .scale = scale});
   } else {
     graph.note_left_out("warp", "the lens does not distort");
   }

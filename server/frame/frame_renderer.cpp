@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "frame/collect_buffers.h"
+#include "frame/frame_cost.h"
 #include "frame/frame_passes.h"
 #include "frame/frame_provenance.h"
 #include "frame/scene_variant.h"
@@ -118,7 +119,8 @@ class FrameRenderer::Impl {
     const core::Stopwatch stopwatch;
     graph::FrameGraph graph;
     update_lights(graph);
-    const passes::RenderView render_view = make_render_view(view, input);
+    const RendererSettings settings = settings_for(view);
+    const passes::RenderView render_view = make_render_view(view, input, settings);
     const SceneResources resources{
         .scene = scene_,
         .features = features_,
@@ -127,7 +129,7 @@ class FrameRenderer::Impl {
         .shadows = raster_ ? &raster_->shadows : nullptr,
     };
     const FramePasses frame = add_frame_passes(
-        graph, resources, {settings_, input, view, render_view, buffers != nullptr});
+        graph, resources, {settings, input, view, render_view, buffers != nullptr});
 
     FrameOutput output = take_output(graph, frame, view, input);
     if (buffers != nullptr) *buffers = collect_buffers(graph, frame, render_view);
@@ -135,6 +137,10 @@ class FrameRenderer::Impl {
       output.provenance = frame_provenance(graph, frame, render_view);
     output.statistics = collect_statistics(graph, frame, render_view);
     core::add_time(output.statistics.stages, "total", stopwatch.milliseconds());
+    if (view.governor) {
+      output.statistics.quality = view.governor->report();
+      if (!output.unchanged) view.governor->frame_done(frame_cost(output.statistics));
+    }
     last_graph_ = graph.to_graphviz();
     return output;
   }
@@ -156,13 +162,26 @@ class FrameRenderer::Impl {
     environment_changed_ = false;
   }
 
-  passes::RenderView make_render_view(const ViewState& view, const FrameInput& input) const {
+  // The operator's; with a target frame rate, as far as the view can have them.
+  RendererSettings settings_for(ViewState& view) const {
+    if (!settings_.target_fps) return settings_;
+    const int client_quality = view.options.jpeg_quality;
+    if (!view.governor) {
+      view.governor.emplace(1000.0 / *settings_.target_fps, make_quality_ladder(settings_),
+                            client_quality != 0 ? std::vector<JpegLevel>{{client_quality}}
+                                                : make_jpeg_ladder(settings_.jpeg_quality));
+    }
+    return with_quality(settings_, view.governor->quality(), view.governor->jpeg_quality());
+  }
+
+  passes::RenderView make_render_view(const ViewState& view, const FrameInput& input,
+                                      const RendererSettings& settings) const {
     passes::RenderView render_view{
         .camera = view.options.camera,
-        .ideal = view.ideal,
+        .ideal = passes::scaled_camera(view.ideal, static_cast<double>(settings.render_scale)),
         .scene = scene::anchor_scene(scene_, input.poses),
         .lights = environment_lights_,
-        .samples_per_side = static_cast<int>(std::lround(std::sqrt(settings_.samples_per_pixel))),
+        .samples_per_side = static_cast<int>(std::lround(std::sqrt(settings.samples_per_pixel))),
     };
     const auto& punctual = render_view.scene.punctual_lights;
     render_view.lights.insert(render_view.lights.end(), punctual.begin(), punctual.end());

@@ -68,6 +68,12 @@ void check_settings(const RendererSettings& settings) {
   if (settings.jpeg_quality < 1 || settings.jpeg_quality > 100) {
     throw std::invalid_argument("JPEG quality must be within 1 and 100");
   }
+  if (!(settings.render_scale > 0.0f && settings.render_scale <= 1.0f)) {
+    throw std::invalid_argument("render scale must be above 0 and at most 1");
+  }
+  if (settings.target_fps && !(*settings.target_fps > 0.0 && *settings.target_fps <= 1000.0)) {
+    throw std::invalid_argument("target frame rate must be above 0 and at most 1000");
+  }
 }
 
 }  // namespace amalgam::frame

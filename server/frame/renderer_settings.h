@@ -38,6 +38,12 @@ struct RendererSettings {
   std::optional<float> exposure;  // none: metered on the real surfaces in view
   int threads = 0;                // for tracing; 0: all cores
   int jpeg_quality = 90;          // 1..100, where a client wants the default
+  // (0, 1]: virtual things are rendered in so many pixels for each of the camera's, on each axis,
+  // and scaled up. The camera image keeps all of its own.
+  float render_scale = 1.0f;
+  // Frames a second. Set: each view's quality is lowered below these settings, but never raised
+  // above them, so that a frame takes no longer (frame/governor.h).
+  std::optional<double> target_fps;
 };
 
 // "1", "4", "9", "16", "adaptive" or "adaptive:THRESHOLD", threshold in (0, 1]. Throws

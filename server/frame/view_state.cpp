@@ -2,8 +2,6 @@
 
 #include <stdexcept>
 
-#include "passes/warp.h"
-
 namespace amalgam::frame {
 
 ViewState::ViewState(const ViewOptions& view_options) : options(view_options) {

@@ -1,13 +1,13 @@
 // What one client's camera keeps from frame to frame.
 #pragma once
 
-#include <glm/vec2.hpp>
 #include <optional>
 
 #include "core/camera_model.h"
-#include "core/image.h"
 #include "frame/frame.h"
+#include "frame/governor.h"
 #include "passes/exposure.h"
+#include "passes/warp.h"
 
 namespace amalgam::frame {
 
@@ -16,9 +16,11 @@ struct ViewState {
   explicit ViewState(const ViewOptions& options);
 
   ViewOptions options;
-  core::CameraModel ideal;                         // what is rendered: no distortion, with margins
-  std::optional<core::Image<glm::vec2>> warp_map;  // only if the lens distorts
+  // What is rendered, at full size: no distortion, with margins.
+  core::CameraModel ideal;
+  std::optional<passes::WarpMap> warp_map;  // only if the lens distorts
   passes::ExposureMemory exposure;
+  std::optional<Governor> governor;  // only if there is a target; made by the first frame
 };
 
 }  // namespace amalgam::frame

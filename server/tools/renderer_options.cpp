@@ -61,7 +61,18 @@ void add_renderer_options(CLI::App& app, frame::RendererSettings& settings) {
          "--exposure", [&settings](const float& exposure) { settings.exposure = exposure; },
          "fixed exposure (factor on scene-linear light); without it, metered on the real surfaces")
       ->check(CLI::PositiveNumber);
-  app.add_option("--threads", settings.threads, "threads for tracing; 0: all cores")
+  app.add_option("--render-scale", settings.render_scale,
+                 "(0, 1]: pixels that virtual things are rendered in for each of the camera's, on "
+                 "each axis; the camera image keeps all of its own")
+      ->check(CLI::Range(0.01, 1.0))
+      ->capture_default_str();
+  app.add_option("--target-fps", settings.target_fps,
+                 "frames a second: a frame's quality is lowered until it takes no longer; without "
+                 "it, quality is as the other options say")
+      ->check(CLI::Range(0.1, 1000.0));
+  app.add_option("--threads", settings.threads,
+                 "threads for rendering; 0: one for each core that this process may use, which "
+                 "affinity and a container's CPU quota may lessen")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
 }

@@ -24,7 +24,7 @@ TEST(Warp, PutsEveryDirectionWhereTheLensDoes) {
       layers.set(x, y, glm::vec4(direction, 1.0f), direction);
     }
   }
-  const core::Layers warped = warp_layers(layers, make_warp_map(camera, ideal));
+  const core::Layers warped = warp_layers(layers, {.size = {160, 120}, .lens = &map});
   ASSERT_EQ(warped.size(), glm::ivec2(160, 120));
   for (int y = 0; y < camera.height; ++y) {
     for (int x = 0; x < camera.width; ++x) {

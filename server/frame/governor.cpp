@@ -1,0 +1,155 @@
+#include "frame/governor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace amalgam::frame {
+namespace {
+
+template <typename Level, typename Cost>
+RelativeCosts costs_of(const std::vector<Level>& levels, Cost Level::*cost) {
+  std::vector<double> costs;
+  for (const Level& level : levels) costs.push_back(level.*cost);
+  return RelativeCosts(std::move(costs));
+}
+
+// Without what is traced changing: of a cost for a picture full of it.
+double traced_unit(const FrameCost& cost) {
+  return cost.specular > 0.0 ? cost.trace / cost.specular : 0.0;
+}
+
+// Half a dozen frames' memory; a jump of the scene is followed at once.
+double smoothed(double smooth, double value) {
+  constexpr double kShare = 0.2, kJump = 0.25;
+  const bool jumped = std::abs(value - smooth) > kJump * smooth;
+  return jumped ? value : smooth + kShare * (value - smooth);
+}
+
+}  // namespace
+
+// The JPEG's coarseness is seen all over the picture, and saves little.
+double Governor::Choice::harm() const {
+  return static_cast<double>(level) + 2.5 * static_cast<double>(jpeg);
+}
+
+Governor::Governor(double budget_ms, std::vector<QualityLevel> ladder, std::vector<JpegLevel> jpeg)
+    : budget_(budget_ms),
+      ladder_(std::move(ladder)),
+      jpeg_(std::move(jpeg)),
+      trace_(costs_of(ladder_, &QualityLevel::trace_cost)),
+      raster_(costs_of(ladder_, &QualityLevel::raster_cost)),
+      encode_(costs_of(jpeg_, &JpegLevel::cost)) {
+  for (std::size_t level = 0; level < ladder_.size(); ++level) {
+    for (std::size_t quality = 0; quality < jpeg_.size(); ++quality) {
+      choices_.push_back({level, quality});
+    }
+  }
+  std::stable_sort(choices_.begin(), choices_.end(),
+                   [](const Choice& a, const Choice& b) { return a.harm() < b.harm(); });
+}
+
+FrameQuality Governor::report() const {
+  const QualityLevel& level = quality();
+  FrameQuality quality{.level = static_cast<int>(current_),
+                       .lowest_level = static_cast<int>(choices_.size()) - 1,
+                       .samples_per_pixel = level.samples_per_pixel,
+                       .adaptive = level.adaptive_threshold.has_value(),
+                       .max_depth = level.max_depth,
+                       .importance_cutoff = level.importance_cutoff,
+                       .render_scale = level.render_scale,
+                       .jpeg_quality = jpeg_quality(),
+                       .bound = FrameQuality::Bound::Nothing};
+  using Bound = FrameQuality::Bound;
+  if (current_ + 1 == choices_.size()) {
+    quality.bound = Bound::Lowest;
+  } else if (current_ > 0) {
+    const FrameCost better = predict(current_ - 1);
+    quality.bound = Bound::Trace;
+    if (better.raster > better.trace) quality.bound = Bound::Raster;
+    if (better.encode > std::max(better.trace, better.raster)) quality.bound = Bound::Encode;
+  }
+  return quality;
+}
+
+FrameCost Governor::predict(std::size_t index) const {
+  const Choice &to = choices_[index], &from = choice();
+  FrameCost cost = last_;
+  cost.trace *= trace_.ratio(to.level, from.level);
+  cost.raster *= raster_.ratio(to.level, from.level);
+  cost.encode *= encode_.ratio(to.jpeg, from.jpeg);
+  return cost;
+}
+
+// A coarser JPEG is a choice only where encoding would be what takes longest.
+bool Governor::fits(std::size_t index, double share) const {
+  const FrameCost cost = predict(index);
+  if (cost.total() > share * budget_) return false;
+  if (choices_[index].jpeg == 0) return true;
+  const double full_encode = cost.encode * encode_.ratio(0, choices_[index].jpeg);
+  return full_encode >= std::max(cost.trace, cost.raster);
+}
+
+void Governor::frame_done(const FrameCost& cost) {
+  last_ = cost;
+  // What quality does not change comes once in a while (shadow maps are drawn, something is made):
+  // it is believed when it comes twice in a row.
+  last_.other = std::min(cost.other, last_other_);
+  last_other_ = cost.other;
+  learn(last_);
+  if (last_.total() > budget_) {
+    go_down();
+  } else {
+    consider_going_up();
+  }
+}
+
+void Governor::learn(const FrameCost& cost) {
+  FrameCost& smooth = stay_.smooth;
+  const bool first = stay_.frames++ == 0;
+  const FrameCost unit{traced_unit(cost), cost.raster, cost.encode, 0.0, 1.0};
+  smooth = first
+               ? unit
+               : FrameCost{smoothed(smooth.trace, unit.trace), smoothed(smooth.raster, unit.raster),
+                           smoothed(smooth.encode, unit.encode), 0.0, 1.0};
+  if (!before_ || stay_.frames > kCalmFrames) return;
+  const Choice &from = choices_[before_->choice], &to = choice();
+  trace_.learn(from.level, to.level, smooth.trace / before_->smooth.trace);
+  raster_.learn(from.level, to.level, smooth.raster / before_->smooth.raster);
+  encode_.learn(from.jpeg, to.jpeg, smooth.encode / before_->smooth.encode);
+}
+
+void Governor::go_down() {
+  if (came_up_ && stay_.frames <= 2 * kCalmFrames) {
+    calm_needed_ = std::min(2 * calm_needed_, kMostCalmFrames);
+  }
+  calm_ = 0;
+  for (std::size_t lower = current_ + 1; lower < choices_.size(); ++lower) {
+    if (fits(lower, kFits)) return change_to(lower);
+  }
+  change_to(choices_.size() - 1);
+}
+
+void Governor::consider_going_up() {
+  if (stay_.frames > kMostCalmFrames) calm_needed_ = kCalmFrames;
+  std::size_t better = 0;
+  while (better < current_ && !fits(better, kCalm)) ++better;
+  if (better == current_) {
+    calm_ = 0;
+    return;
+  }
+  calm_choice_ = calm_ == 0 ? better : std::max(calm_choice_, better);
+  if (++calm_ < calm_needed_) return;
+  calm_ = 0;
+  change_to(calm_choice_);
+}
+
+void Governor::change_to(std::size_t index) {
+  if (index == current_) return;
+  came_up_ = index < current_;
+  before_ = stay_;
+  stay_ = {.choice = index, .frames = 0, .smooth = {}};
+  current_ = index;
+}
+
+}  // namespace amalgam::frame
