@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "client/board_description.h"
+#include "core/build_info.h"
 #include "protocol/limits.h"
 
 namespace amalgam::client {
@@ -155,6 +156,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv, int& exi
   CLI::App app("Sends camera images to an Amalgam server and receives them with virtual objects.",
                "amalgam-client");
   app.option_defaults()->always_capture_default();
+  app.set_version_flag("--version", core::version_line("amalgam-client"));
   app.failure_message([](const CLI::App*, const CLI::Error& error) {
     return std::string("amalgam-client: ") + error.what() + " (--help lists the options)\n";
   });

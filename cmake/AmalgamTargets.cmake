@@ -7,6 +7,9 @@ endif()
 # One product rounded once or twice must not depend on the compiler's mood: shading is compared with
 # a second implementation, and "no virtual object" must give a difference of exactly 0.
 list(APPEND AMALGAM_COMPILE_OPTIONS -ffp-contract=off)
+if(AMALGAM_ARCH)
+  list(APPEND AMALGAM_COMPILE_OPTIONS -march=${AMALGAM_ARCH})
+endif()
 if(AMALGAM_SANITIZE)
   # Instrumented code misleads GCC 12 about what is initialised in Boost.Beast.
   list(APPEND AMALGAM_COMPILE_OPTIONS -fsanitize=address,undefined -fno-omit-frame-pointer -g
@@ -29,6 +32,9 @@ function(amalgam_program name)
   add_executable(${name} ${ARG_SOURCES})
   target_compile_options(${name} PRIVATE ${AMALGAM_COMPILE_OPTIONS})
   target_link_libraries(${name} PRIVATE ${ARG_LIBS})
+  if(AMALGAM_ARCH)
+    target_link_libraries(${name} PRIVATE amalgam_processor_check)
+  endif()
 endfunction()
 
 # amalgam_test(NAME LABELS l ... SOURCES a_test.cpp ... LIBS libs ...): a GoogleTest program known to CTest.

@@ -9,6 +9,7 @@
 
 #include "core/log.h"
 #include "frame/render_thread.h"
+#include "frame/rendering_threads.h"
 #include "net/server.h"
 #include "server_options.h"
 
@@ -41,6 +42,7 @@ class NetworkThread {
 };
 
 void serve(const ServerOptions& options) {
+  frame::limit_llvmpipe_threads(options.render.renderer);
   std::unique_ptr<frame::FrameService> service;  // outlives the server, which uses it
   net::Server server(options.net);
   server.drain_on_signals();

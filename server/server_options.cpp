@@ -5,6 +5,8 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "core/build_info.h"
+#include "frame/rendering_threads.h"
 #include "net/token.h"
 #include "tools/renderer_options.h"
 
@@ -59,6 +61,9 @@ std::optional<ServerOptions> parse_server_options(int argc, const char* const* a
   std::string token_file;
 
   CLI::App app("Renders virtual objects into the camera frames of its clients.", "amalgam-server");
+  app.set_version_flag("--version", [] {
+    return core::version_line("amalgam-server") + "; " + frame::ray_tracer_version();
+  });
   app.set_config("--config", "", "file with these options, as 'threads = 4' (TOML or INI)");
   app.add_option("--scene", options.scene, "glTF scene to serve")
       ->capture_default_str()
@@ -88,11 +93,15 @@ std::optional<ServerOptions> parse_server_options(int argc, const char* const* a
   } catch (const CLI::CallForHelp&) {
     std::cout << app.help();
     return std::nullopt;
+  } catch (const CLI::CallForVersion& version) {
+    std::cout << version.what() << '\n';
+    return std::nullopt;
   } catch (const CLI::ParseError& error) {
     throw std::runtime_error(error.what());
   }
   options.net.listen = net::parse_host_port(listen);
   options.net.admin = net::parse_host_port(admin);
+  options.net.ray_tracer = frame::ray_tracer_version();
   if (!token_file.empty()) options.net.token = net::read_token_file(token_file);
   return options;
 }

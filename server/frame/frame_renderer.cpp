@@ -10,6 +10,7 @@
 #include "frame/frame_cost.h"
 #include "frame/frame_passes.h"
 #include "frame/frame_provenance.h"
+#include "frame/rendering_threads.h"
 #include "frame/scene_variant.h"
 #include "gl/shader_interface.h"
 #include "scene/anchored_scene.h"
@@ -84,7 +85,7 @@ class FrameRenderer::Impl {
       : settings_(settings),
         scene_(scene_variant(std::move(scene), settings.mode)),
         features_(scene::scene_features(scene_)),
-        arena_(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic),
+        arena_(rendering_threads(settings)),
         owner_(std::this_thread::get_id()) {
     check_settings(settings);
     const bool traces_all = settings.mode == RendererMode::Raytrace;

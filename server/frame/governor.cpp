@@ -112,7 +112,7 @@ void Governor::learn(const FrameCost& cost) {
                ? unit
                : FrameCost{smoothed(smooth.trace, unit.trace), smoothed(smooth.raster, unit.raster),
                            smoothed(smooth.encode, unit.encode), 0.0, 1.0};
-  if (!before_ || stay_.frames > kCalmFrames) return;
+  if (!before_ || stay_.frames > kLearnFrames) return;
   const Choice &from = choices_[before_->choice], &to = choice();
   trace_.learn(from.level, to.level, smooth.trace / before_->smooth.trace);
   raster_.learn(from.level, to.level, smooth.raster / before_->smooth.raster);
@@ -120,9 +120,6 @@ void Governor::learn(const FrameCost& cost) {
 }
 
 void Governor::go_down() {
-  if (came_up_ && stay_.frames <= 2 * kCalmFrames) {
-    calm_needed_ = std::min(2 * calm_needed_, kMostCalmFrames);
-  }
   calm_ = 0;
   for (std::size_t lower = current_ + 1; lower < choices_.size(); ++lower) {
     if (fits(lower, kFits)) return change_to(lower);
@@ -131,22 +128,16 @@ void Governor::go_down() {
 }
 
 void Governor::consider_going_up() {
-  if (stay_.frames > kMostCalmFrames) calm_needed_ = kCalmFrames;
   std::size_t better = 0;
   while (better < current_ && !fits(better, kCalm)) ++better;
-  if (better == current_) {
-    calm_ = 0;
-    return;
-  }
-  calm_choice_ = calm_ == 0 ? better : std::max(calm_choice_, better);
-  if (++calm_ < calm_needed_) return;
+  calm_ = better < current_ ? calm_ + 1 : 0;
+  if (calm_ < kCalmFrames) return;
   calm_ = 0;
-  change_to(calm_choice_);
+  change_to(better);
 }
 
 void Governor::change_to(std::size_t index) {
   if (index == current_) return;
-  came_up_ = index < current_;
   before_ = stay_;
   stay_ = {.choice = index, .frames = 0, .smooth = {}};
   current_ = index;

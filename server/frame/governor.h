@@ -2,9 +2,9 @@
 // most a given time.
 //
 // Down at once when a frame was over its budget; up only when a better choice has been predicted to
-// take less than kCalm of the budget for several frames in a row. Each time that this turns out to
-// be wrong it takes twice as many frames. Costs are predicted from the measured ones by ratios
-// between levels, which every change corrects (relative_costs.h).
+// take less than kCalm of the budget for several frames in a row. Costs are predicted from the
+// measured ones by ratios between levels, which every change corrects (relative_costs.h): what
+// turned out to be wrong once is not tried again.
 //
 // Knows nothing of rendering and of clocks: the same costs give the same choices.
 #pragma once
@@ -21,10 +21,10 @@ namespace amalgam::frame {
 
 class Governor {
  public:
-  static constexpr double kCalm = 0.8;   // of the budget
-  static constexpr double kFits = 0.9;   // of the budget: what a lower choice is to take at most
-  static constexpr int kCalmFrames = 5;  // before going up
-  static constexpr int kMostCalmFrames = 160;
+  static constexpr double kCalm = 0.8;    // of the budget
+  static constexpr double kFits = 0.9;    // of the budget: what a lower choice is to take at most
+  static constexpr int kCalmFrames = 5;   // before going up
+  static constexpr int kLearnFrames = 5;  // after a change
 
   // jpeg: of one level if the quality is the client's.
   Governor(double budget_ms, std::vector<QualityLevel> ladder, std::vector<JpegLevel> jpeg);
@@ -69,10 +69,7 @@ class Governor {
   double last_other_ = 0.0;  // as measured, before it is believed
   Stay stay_;
   std::optional<Stay> before_;
-  int calm_ = 0;                 // frames in a row for which a better choice would have fitted
-  std::size_t calm_choice_ = 0;  // that would have fitted for all of them
-  int calm_needed_ = kCalmFrames;
-  bool came_up_ = false;  // to the current choice
+  int calm_ = 0;  // frames in a row for which a better choice would have fitted
 };
 
 }  // namespace amalgam::frame

@@ -19,6 +19,9 @@ const Histogram::BucketBoundaries kSeconds{0.0005, 0.001, 0.002, 0.004, 0.008, 0
                                            0.066,  0.125, 0.25,  0.5,   1.0,   2.0,   5.0};
 const Histogram::BucketBoundaries kFractions{0.0, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0};
 
+const Histogram::BucketBoundaries kLevels{0.0, 1.0,  2.0,  3.0,  4.0,  6.0,
+                                          8.0, 12.0, 16.0, 24.0, 32.0, 48.0};
+
 const char* to_string(Skip reason) {
   switch (reason) {
     case Skip::ReplacedBeforeRender:
@@ -81,6 +84,8 @@ struct Metrics::Families {
       counter("amalgam_poses_rejected_total", "Poses that could not be rendered with").Add({});
   Family<Counter>& rays = counter("amalgam_rays_total", "Rays traced, by kind");
   Family<Counter>& passes = counter("amalgam_passes_run_total", "Passes run, by pass");
+  Family<Histogram>& quality = histogram(
+      "amalgam_quality_level", "Level that a frame was rendered at, 0 is full quality, by bound");
   Counter& nonfinite =
       counter("amalgam_nonfinite_total", "Values that a stage had to replace by 0").Add({});
 };
@@ -147,6 +152,9 @@ void Metrics::frame_rendered(const frame::FrameOutput& output, double server_ms)
   count_rays("lookup", statistics.rays.lookup);
   for (const frame::PassRecord& pass : statistics.passes) {
     if (pass.ran) families_->passes.Add({{"pass", pass.name}}).Increment();
+  }
+  if (const auto& quality = statistics.quality) {
+    families_->quality.Add({{"bound", to_string(quality->bound)}}, kLevels).Observe(quality->level);
   }
   families_->nonfinite.Increment(static_cast<double>(statistics.nonfinite));
 }

@@ -155,6 +155,7 @@ class Server::Impl {
   std::string state() const {
     ServerReport report;
     report.not_ready = not_ready();
+    report.ray_tracer = config_.ray_tracer;
     report.uptime = std::chrono::duration_cast<std::chrono::seconds>(Clock::now() - started_);
     report.connections = limits_.total();
     for (const auto& [id, session] : sessions_) report.sessions.push_back(session->report());

@@ -45,7 +45,8 @@ struct ConnectionCaps {
 struct ServerConfig {
   HostPort listen{"127.0.0.1", 7447};
   HostPort admin{"127.0.0.1", 7448};
-  std::string token;  // a secret: never logged; empty: clients need none
+  std::string token;       // a secret: never logged; empty: clients need none
+  std::string ray_tracer;  // what renders, for the /state page
   SessionLimits session;
   ConnectionCaps connections;
   std::chrono::milliseconds drain_timeout = protocol::kDrainTimeout;

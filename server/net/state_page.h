@@ -10,7 +10,8 @@
 namespace amalgam::net {
 
 struct ServerReport {
-  std::string not_ready;  // why; empty: ready
+  std::string not_ready;   // why; empty: ready
+  std::string ray_tracer;  // its version
   std::chrono::seconds uptime{0};
   std::size_t connections = 0;
   std::vector<SessionReport> sessions;

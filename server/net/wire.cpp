@@ -149,6 +149,41 @@ ClientError poses_rejected(const std::vector<int>& markers, std::uint64_t frame_
   return {Error::POSE_REJECTED, text, frame_id};
 }
 
+namespace {
+
+protocol::Quality::Bound bound_from(frame::FrameQuality::Bound bound) {
+  using Bound = frame::FrameQuality::Bound;
+  switch (bound) {
+    case Bound::Nothing:
+      return protocol::Quality::NOTHING;
+    case Bound::Trace:
+      return protocol::Quality::TRACE;
+    case Bound::Raster:
+      return protocol::Quality::RASTER;
+    case Bound::Encode:
+      return protocol::Quality::ENCODE;
+    case Bound::Lowest:
+      return protocol::Quality::LOWEST;
+  }
+  return protocol::Quality::NOTHING;
+}
+
+protocol::Quality quality_from(const frame::FrameQuality& chosen) {
+  protocol::Quality quality;
+  quality.set_level(static_cast<std::uint32_t>(chosen.level));
+  quality.set_lowest_level(static_cast<std::uint32_t>(chosen.lowest_level));
+  quality.set_samples_per_pixel(static_cast<std::uint32_t>(chosen.samples_per_pixel));
+  quality.set_adaptive(chosen.adaptive);
+  quality.set_max_depth(static_cast<std::uint32_t>(chosen.max_depth));
+  quality.set_importance_cutoff(chosen.importance_cutoff);
+  quality.set_render_scale(chosen.render_scale);
+  quality.set_jpeg_quality(static_cast<std::uint32_t>(chosen.jpeg_quality));
+  quality.set_bound(bound_from(chosen.bound));
+  return quality;
+}
+
+}  // namespace
+
 protocol::Composite composite_from(const frame::FrameOutput& output) {
   const frame::FrameStatistics& statistics = output.statistics;
   protocol::Composite composite;
@@ -176,6 +211,7 @@ protocol::Composite composite_from(const frame::FrameOutput& output) {
   pixels.set_specular(statistics.pixels.specular);
   pixels.set_total(statistics.pixels.total);
   composite.set_nonfinite(statistics.nonfinite);
+  if (statistics.quality) *composite.mutable_quality() = quality_from(*statistics.quality);
   return composite;
 }
 

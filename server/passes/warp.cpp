@@ -48,6 +48,19 @@ class LayerSampler {
     const float floor_x = std::floor(at.x), floor_y = std::floor(at.y);
     const int x = static_cast<int>(floor_x), y = static_cast<int>(floor_y);
     const float fx = at.x - floor_x, fy = at.y - floor_y;
+    // Most often all four are of one tile.
+    const bool inside = x >= 0 && y >= 0 && x + 1 < layers_.size().x && y + 1 < layers_.size().y;
+    if (inside && x % core::kTileSide != core::kTileSide - 1 &&
+        y % core::kTileSide != core::kTileSide - 1) {
+      const core::LayerTile* tile = layers_.find(layers_.grid().tile_of(x, y));
+      if (tile == nullptr) return {};
+      const std::size_t upper = core::LayerTile::index(x, y), lower = upper + core::kTileSide;
+      const auto mixed = [&](const auto& values) {
+        return glm::mix(glm::mix(values[upper], values[upper + 1], fx),
+                        glm::mix(values[lower], values[lower + 1], fx), fy);
+      };
+      return {mixed(tile->over), mixed(tile->difference)};
+    }
     return mix(mix(texel(x, y), texel(x + 1, y), fx), mix(texel(x, y + 1), texel(x + 1, y + 1), fx),
                fy);
   }
@@ -134,13 +147,17 @@ Layers warp_layers(const Layers& layers, const LayerPlacement& placement) {
                         : WarpMap::Bounds{glm::vec2(first), glm::vec2(end - glm::ivec2(1))};
     if (bounds.low.x > bounds.high.x) return;
     if (!sampler.may_show({scaling(bounds.low), scaling(bounds.high)})) return;
+    core::LayerTile* out = nullptr;
     for (int y = first.y; y < end.y; ++y) {
       for (int x = first.x; x < end.x; ++x) {
         const glm::vec2 at = lens != nullptr ? lens->at.at(x, y) : glm::vec2(x, y);
         if (!is_near(at)) continue;
         const Texel texel = sampler.bilinear(scaling(at));
         if (texel.over == glm::vec4(0.0f) && texel.difference == glm::vec3(0.0f)) continue;
-        warped.set(x, y, texel.over, texel.difference);
+        if (out == nullptr) out = &warped.make(tile);
+        const std::size_t i = core::LayerTile::index(x, y);
+        out->over[i] = texel.over;
+        out->difference[i] = texel.difference;
       }
     }
   });

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "core/build_info.h"
 #include "scene/gltf_loader.h"
 #include "tools/inspect_report.h"
 
@@ -63,6 +64,7 @@ int main(int argc, char** argv) {
                  "how the environment becomes lights: sectors or median-cut:N")
       ->capture_default_str();
   app.add_flag("--json", options.json, "print one JSON object");
+  app.set_version_flag("--version", core::version_line("amalgam-inspect"));
   CLI11_PARSE(app, argc, argv);
   try {
     inspect(options);

@@ -7,8 +7,10 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "core/build_info.h"
 #include "core/log.h"
 #include "frame/frame_renderer.h"
+#include "frame/rendering_threads.h"
 #include "scene/gltf_loader.h"
 #include "tools/provenance_picture.h"
 #include "tools/render_input.h"
@@ -119,9 +121,13 @@ int main(int argc, char** argv) {
                "amalgam-render");
   Options options;
   add_options(app, options);
+  app.set_version_flag("--version", [] {
+    return core::version_line("amalgam-render") + "; " + frame::ray_tracer_version();
+  });
   try {
     app.parse(argc, argv);
     if (!options.size.empty()) parse_size(options.size, options);
+    frame::limit_llvmpipe_threads(options.renderer);
     run(options);
   } catch (const CLI::ParseError& error) {
     return app.exit(error);

@@ -25,6 +25,18 @@ nlohmann::ordered_json provenance_sums(const core::ProvenanceImage& provenance) 
   return json;
 }
 
+nlohmann::ordered_json quality_json(const frame::FrameQuality& quality) {
+  return {{"level", quality.level},
+          {"lowest_level", quality.lowest_level},
+          {"samples", quality.samples_per_pixel},
+          {"adaptive", quality.adaptive},
+          {"max_depth", quality.max_depth},
+          {"importance_cutoff", quality.importance_cutoff},
+          {"render_scale", quality.render_scale},
+          {"jpeg_quality", quality.jpeg_quality},
+          {"bound", to_string(quality.bound)}};
+}
+
 }  // namespace
 
 void print_json(std::ostream& out, const std::vector<frame::FrameOutput>& frames) {
@@ -57,6 +69,7 @@ void print_json(std::ostream& out, const std::vector<frame::FrameOutput>& frames
   json["provenance"] = provenance_sums(frames.back().provenance.value_or(core::ProvenanceImage{}));
   json["nonfinite"] = last.nonfinite;
   json["exposure"] = last.exposure;
+  if (last.quality) json["quality"] = quality_json(*last.quality);
   json["unchanged"] = frames.back().unchanged;
   json["frames"] = frames.size();
   out << json.dump(2) << "\n";

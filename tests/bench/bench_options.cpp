@@ -5,6 +5,7 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "core/build_info.h"
 #include "tools/renderer_options.h"
 
 namespace amalgam::bench {
@@ -30,6 +31,7 @@ std::optional<BenchOptions> parse_bench_options(int argc, char** argv) {
   options.scenes = std::filesystem::path(tools::default_scene_path()).parent_path().string();
   CLI::App app("Measures Amalgam: its goals, or single hot functions.", "amalgam-bench");
   app.footer(kFooter);
+  app.set_version_flag("--version", core::version_line("amalgam-bench"));
   app.add_flag("--goals", options.goals, "measure the goals and print a line for each");
   app.add_flag("--json", options.json, "print one JSON object instead (with --goals)");
   app.add_flag("--list", options.list, "print the names of goals and benchmarks");
@@ -52,6 +54,9 @@ std::optional<BenchOptions> parse_bench_options(int argc, char** argv) {
     app.parse(ours);
   } catch (const CLI::CallForHelp&) {
     std::cout << app.help();
+    return std::nullopt;
+  } catch (const CLI::CallForVersion& version) {
+    std::cout << version.what() << '\n';
     return std::nullopt;
   } catch (const CLI::ParseError& error) {
     throw std::invalid_argument(error.what());

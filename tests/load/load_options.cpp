@@ -5,6 +5,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "core/build_info.h"
 #include "net/token.h"
 
 namespace amalgam::load {
@@ -21,6 +22,7 @@ std::optional<LoadOptions> parse_load_options(int argc, const char* const* argv)
   double duration = 10.0;
   CLI::App app("Puts scripted load on an amalgam-server and prints what came back as JSON.",
                "amalgam-load");
+  app.set_version_flag("--version", core::version_line("amalgam-load"));
   app.add_option("--server", server, "the server")
       ->capture_default_str()
       ->type_name("ADDRESS:PORT");
@@ -50,6 +52,9 @@ std::optional<LoadOptions> parse_load_options(int argc, const char* const* argv)
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
     std::cout << app.help();
+    return std::nullopt;
+  } catch (const CLI::CallForVersion& version) {
+    std::cout << version.what() << '\n';
     return std::nullopt;
   } catch (const CLI::ParseError& error) {
     throw std::runtime_error(error.what());

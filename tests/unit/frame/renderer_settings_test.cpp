@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace amalgam::frame {
 namespace {
 
@@ -21,6 +23,12 @@ TEST(RendererSettings, NonsenseIsRefused) {
   refused([](auto& s) { s.exposure = 0.0f; });
   refused([](auto& s) { s.threads = -1; });
   refused([](auto& s) { s.jpeg_quality = 101; });
+  refused([](auto& s) { s.render_scale = 0.0f; });
+  refused([](auto& s) { s.render_scale = 1.01f; });
+  refused([](auto& s) { s.render_scale = std::numeric_limits<float>::quiet_NaN(); });
+  refused([](auto& s) { s.target_fps = 0.0; });
+  refused([](auto& s) { s.target_fps = -30.0; });
+  refused([](auto& s) { s.target_fps = std::numeric_limits<double>::infinity(); });
 }
 
 TEST(RendererSettings, SamplesAreParsed) {

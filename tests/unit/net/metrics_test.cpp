@@ -22,6 +22,7 @@ TEST(Metrics, TextNamesWhatWasCounted) {
   output.statistics.passes = {{"composite", true, ""}, {"warp", false, "no lens distortion"}};
   output.statistics.rays.shadow = 9;
   output.statistics.nonfinite = 4;
+  output.statistics.quality = {.level = 3, .bound = frame::FrameQuality::Bound::Trace};
   metrics.frame_rendered(output, 20.0);
 
   const std::string text = metrics.text();
@@ -34,7 +35,7 @@ TEST(Metrics, TextNamesWhatWasCounted) {
         "amalgam_stage_seconds_bucket{stage=\"trace\",le=\"0.002\"} 0",
         "amalgam_frame_seconds_count 1", "amalgam_rays_total{kind=\"shadow\"} 9",
         "amalgam_passes_run_total{pass=\"composite\"} 1", "amalgam_nonfinite_total 4",
-        "amalgam_frames_unchanged_total 1"}) {
+        "amalgam_frames_unchanged_total 1", "amalgam_quality_level_sum{bound=\"trace\"} 3"}) {
     EXPECT_THAT(text, HasSubstr(line));
   }
   EXPECT_THAT(text, Not(HasSubstr("warp")));

@@ -126,5 +126,30 @@ TEST(Wire, APoseWithoutRotationIsNotUsable) {
   EXPECT_FALSE(core::is_usable(poses_from(frame).front()));
 }
 
+// Of what a governed frame was rendered with nothing is lost on the way, and others say nothing.
+TEST(Wire, CompositeSaysWhatQualityWasChosen) {
+  frame::FrameOutput output;
+  EXPECT_FALSE(composite_from(output).has_quality());
+  output.statistics.quality = {.level = 5,
+                               .lowest_level = 40,
+                               .samples_per_pixel = 4,
+                               .adaptive = true,
+                               .max_depth = 8,
+                               .importance_cutoff = 0.1f,
+                               .render_scale = 0.85f,
+                               .jpeg_quality = 75,
+                               .bound = frame::FrameQuality::Bound::Raster};
+  const protocol::Quality quality = composite_from(output).quality();
+  EXPECT_EQ(quality.level(), 5u);
+  EXPECT_EQ(quality.lowest_level(), 40u);
+  EXPECT_EQ(quality.samples_per_pixel(), 4u);
+  EXPECT_TRUE(quality.adaptive());
+  EXPECT_EQ(quality.max_depth(), 8u);
+  EXPECT_EQ(quality.importance_cutoff(), 0.1f);
+  EXPECT_EQ(quality.render_scale(), 0.85f);
+  EXPECT_EQ(quality.jpeg_quality(), 75u);
+  EXPECT_EQ(quality.bound(), protocol::Quality::RASTER);
+}
+
 }  // namespace
 }  // namespace amalgam::net
