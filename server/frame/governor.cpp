@@ -61,7 +61,7 @@ FrameQuality Governor::report() const {
                        .jpeg_quality = jpeg_quality(),
                        .bound = FrameQuality::Bound::Nothing};
   using Bound = FrameQuality::Bound;
-  if (current_ + 1 == choices_.size()) {
+  if (current_ > 0 && next_lower(current_) == current_) {
     quality.bound = Bound::Lowest;
   } else if (current_ > 0) {
     const FrameCost better = predict(current_ - 1);
@@ -82,12 +82,23 @@ FrameCost Governor::predict(std::size_t index) const {
 }
 
 // A coarser JPEG is a choice only where encoding would be what takes longest.
-bool Governor::fits(std::size_t index, double share) const {
-  const FrameCost cost = predict(index);
-  if (cost.total() > share * budget_) return false;
+bool Governor::is_sensible(std::size_t index) const {
   if (choices_[index].jpeg == 0) return true;
+  const FrameCost cost = predict(index);
   const double full_encode = cost.encode * encode_.ratio(0, choices_[index].jpeg);
   return full_encode >= std::max(cost.trace, cost.raster);
+}
+
+bool Governor::fits(std::size_t index, double share) const {
+  return predict(index).total() <= share * budget_ && is_sensible(index);
+}
+
+// The next choice with less quality; the current one if there is none.
+std::size_t Governor::next_lower(std::size_t index) const {
+  for (std::size_t lower = index + 1; lower < choices_.size(); ++lower) {
+    if (is_sensible(lower)) return lower;
+  }
+  return index;
 }
 
 void Governor::frame_done(const FrameCost& cost) {
@@ -121,10 +132,9 @@ void Governor::learn(const FrameCost& cost) {
 
 void Governor::go_down() {
   calm_ = 0;
-  for (std::size_t lower = current_ + 1; lower < choices_.size(); ++lower) {
-    if (fits(lower, kFits)) return change_to(lower);
-  }
-  change_to(choices_.size() - 1);
+  std::size_t lower = next_lower(current_);
+  while (!fits(lower, kFits) && next_lower(lower) != lower) lower = next_lower(lower);
+  change_to(lower);
 }
 
 void Governor::consider_going_up() {

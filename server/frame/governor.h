@@ -53,7 +53,9 @@ class Governor {
 
   const Choice& choice() const { return choices_[current_]; }
   FrameCost predict(std::size_t choice) const;
+  bool is_sensible(std::size_t choice) const;
   bool fits(std::size_t choice, double share) const;
+  std::size_t next_lower(std::size_t choice) const;
   void learn(const FrameCost& cost);
   void go_down();
   void consider_going_up();
