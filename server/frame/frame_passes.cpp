@@ -45,6 +45,7 @@ passes::TraceInputs trace_inputs(const SceneResources& resources, const FrameReq
           .settings = request.settings.trace,
           .keep_images = request.keep_buffers,
           .keep_provenance = request.keep_buffers || request.view.options.keep_provenance,
+          .ray_log = request.settings.ray_log,
           .specular = frame.mask.specular,
           .mask = frame.mask.mask,
           .scene = frame.placed,
@@ -131,8 +132,11 @@ FramePasses add_frame_passes(graph::FrameGraph& graph, const SceneResources& res
                              const FrameRequest& request) {
   FramePasses frame;
   const auto nothing = reason_for_nothing(resources, request.render_view);
-  frame.camera_image =
-      passes::add_decode_pass(graph, request.input.image, request.render_view.camera);
+  const bool wants_own_quality = request.view.options.jpeg_quality != 0;
+  const auto decoded = passes::add_decode_pass(graph, {.image = request.input.image,
+                                                       .camera = request.render_view.camera,
+                                                       .keep_coefficients = !wants_own_quality});
+  frame.camera_image = decoded.camera_image;
   if (resources.embree != nullptr) {
     frame.placed = passes::add_place_instances_pass(graph, request.render_view, *resources.embree);
   } else {
@@ -151,13 +155,14 @@ FramePasses add_frame_passes(graph::FrameGraph& graph, const SceneResources& res
   } else {
     graph.note_left_out("warp", "the lens does not distort");
   }
-  const bool wants_own_quality = request.view.options.jpeg_quality != 0;
   frame.composite = passes::add_composite_pass(graph, {.layers = layers,
                                                        .camera_image = frame.camera_image,
                                                        .even_if_unchanged = wants_own_quality});
   frame.encoded = passes::add_encode_pass(
-      graph, frame.composite,
-      wants_own_quality ? request.view.options.jpeg_quality : request.settings.jpeg_quality);
+      graph, {.composite = frame.composite,
+              .coefficients = decoded.coefficients,
+              .quality = wants_own_quality ? request.view.options.jpeg_quality
+                                           : request.settings.jpeg_quality});
   return frame;
 }
 
