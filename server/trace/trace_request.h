@@ -22,7 +22,9 @@ namespace amalgam::trace {
 
 struct TraceSettings {
   int max_depth = 10;                // specular surfaces that a ray may meet
-  float importance_cutoff = 0.004f;  // share of a sample below which a branch ends; about 1/255
+  // Share of a sample below which a branch ends: the largest at which the mean difference to the
+  // reference stays below 0.5/255 on each scene.
+  float importance_cutoff = 0.05f;
   FresnelModel fresnel = FresnelModel::Schlick;
 };
 
