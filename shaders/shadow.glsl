@@ -107,10 +107,11 @@ struct Attenuation {
   vec3 real;   // by real objects only
 };
 
+// IS_LONE_PLANE: the surface is flat and the only real opaque one, and so in no real one's shadow.
 // Products: without a virtual shadow, mixed equals real to the last bit.
 Attenuation shadow_attenuation(vec4 lookup) {
   vec3 real = vec3(1.0), added = vec3(1.0);
-#if HAS_REAL_OPAQUE
+#if HAS_REAL_OPAQUE && !IS_LONE_PLANE
   if ((shadow_maps_present & 1u) != 0u) real *= opaque_attenuation(real_opaque_map, lookup);
 #endif
 #if HAS_REAL_GLASS

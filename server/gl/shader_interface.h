@@ -45,6 +45,7 @@ constexpr int kMaskStepLocation = 3;
 
 // As many as 64 KiB hold, the size of a uniform block on every desktop driver.
 constexpr std::size_t kMaxLights = 512;
+constexpr std::size_t kFewSuns = 8;  // directional lights that shade_diffuse.frag takes one by one
 
 // The coarsest alignment that a driver may ask of a range in a uniform buffer.
 constexpr std::size_t kRangeAlignment = 256;

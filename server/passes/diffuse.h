@@ -33,13 +33,18 @@ struct DiffuseOutputs {
   graph::Handle<DeviceImage> real;  // I_r = r on real surfaces, 0 on virtual ones; alpha: 1 on real
 };
 
-// Binds lights and shadow maps for a program of ShaderLibrary::shade_diffuse to read.
-void bind_lights(const RasterContext& raster, const ShadowMapOutputs& shadows,
-                 const graph::Access& access);
+struct ShadingInputs {
+  const RasterContext& raster;
+  graph::Handle<DeviceView> device_view;
+  MaskOutputs mask;
+  ShadowMapOutputs shadows;
+};
 
-// The program's fragment (x, y) belongs to sample (x step + step / 2, y step + step / 2) of the
-// mask.
-void tell_mask_step(const RasterContext& raster, int step);
+// Draws both solutions of the diffuse surfaces into the framebuffer that is bound, for a pass that
+// has declared these inputs. Fragment (x, y) belongs to sample (x step + step / 2, y step + step /
+// 2) of the mask.
+void draw_shaded(const ShadingInputs& in, const graph::Access& access, int mask_step,
+                 bool virtual_too);
 
 DiffuseOutputs add_diffuse_pass(graph::FrameGraph& graph, const DiffuseInputs& in);
 
