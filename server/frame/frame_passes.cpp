@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "frame/nothing_in_view.h"
 #include "passes/effect.h"
 #include "passes/merge.h"
 #include "passes/raster_meter.h"
@@ -16,7 +17,8 @@ namespace {
 
 // Why this frame cannot show anything virtual, whatever the camera sees; nothing if it might.
 std::optional<std::string> reason_for_nothing(const SceneResources& resources,
-                                              const passes::RenderView& view) {
+                                              const FrameRequest& request) {
+  const passes::RenderView& view = request.render_view;
   if (!resources.features.has_virtual) return "no virtual object in the scene";
   const auto& instances = view.scene.instances;
   const bool any_virtual =
@@ -24,6 +26,10 @@ std::optional<std::string> reason_for_nothing(const SceneResources& resources,
         return resources.scene.instances[anchored.instance].role == scene::Role::Virtual;
       });
   if (!any_virtual) return "no pose of a marker that a virtual object stands on";
+  // Whoever wants the buffers wants to see them empty.
+  if (!request.keep_buffers &&
+      nothing_virtual_in_view(resources.scene, resources.mesh_bounds, view))
+    return "nothing virtual in view";
   return std::nullopt;
 }
 
@@ -131,7 +137,7 @@ void add_refinement(graph::FrameGraph& graph, const SceneResources& resources,
 FramePasses add_frame_passes(graph::FrameGraph& graph, const SceneResources& resources,
                              const FrameRequest& request) {
   FramePasses frame;
-  const auto nothing = reason_for_nothing(resources, request.render_view);
+  const auto nothing = reason_for_nothing(resources, request);
   const bool wants_own_quality = request.view.options.jpeg_quality != 0;
   const auto decoded = passes::add_decode_pass(graph, {.image = request.input.image,
                                                        .camera = request.render_view.camera,
