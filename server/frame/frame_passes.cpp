@@ -9,6 +9,7 @@
 #include "passes/reached_tiles.h"
 #include "passes/real_depth.h"
 #include "passes/resolve.h"
+#include "passes/shadow_bound.h"
 #include "passes/upload_view.h"
 #include "passes/warp.h"
 
@@ -57,7 +58,8 @@ passes::TraceInputs trace_inputs(const SceneResources& resources, const FrameReq
           .scene = frame.placed,
           .camera_image = frame.camera_image,
           .exposure = frame.exposure,
-          .real_depth = frame.real_depth};
+          .real_depth = frame.real_depth,
+          .virtual_shadows = frame.virtual_shadows};
 }
 
 // Rasterise what is diffuse, trace what is specular.
@@ -92,6 +94,7 @@ void add_hybrid_passes(graph::FrameGraph& graph, const SceneResources& resources
     graph.note_left_out("trace", "no specular object in the scene");
     return;
   }
+  frame.virtual_shadows = passes::add_shadow_bound_pass(graph, shadows);
   frame.real_depth =
       passes::add_real_depth_pass(graph, {raster, view, device_view, frame.mask.specular}).depth;
   frame.traced = passes::add_trace_pass(graph, trace_inputs(resources, request, frame));

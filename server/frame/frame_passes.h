@@ -48,6 +48,7 @@ struct FramePasses {
   passes::MaskOutputs mask;
   passes::DiffuseOutputs diffuse;
   graph::Handle<passes::RealDepth> real_depth;
+  graph::Handle<passes::VirtualShadows> virtual_shadows;
   graph::Handle<passes::Layers> rasterised;
   graph::Handle<std::uint64_t> rasterised_nonfinite;
   graph::Handle<trace::TraceResult> traced;

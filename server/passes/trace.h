@@ -34,7 +34,8 @@ struct TraceInputs {
   graph::Handle<PlacedScene> scene;
   graph::Handle<CameraImage> camera_image;
   graph::Handle<float> exposure;
-  graph::Handle<RealDepth> real_depth;  // may be absent: look-ups then ask by rays
+  graph::Handle<RealDepth> real_depth;            // may be absent: look-ups then ask by rays
+  graph::Handle<VirtualShadows> virtual_shadows;  // may be absent: every shadow is asked by rays
 };
 
 graph::Handle<trace::TraceResult> add_trace_pass(graph::FrameGraph& graph, const TraceInputs& in);
