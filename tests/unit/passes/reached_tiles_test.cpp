@@ -212,7 +212,7 @@ TEST(ReachedTiles, AreAllThatAnyPointsLookUpIsShadedIn) {
           if (!is_shaded(one, 0, map, lifted(point_in(tile), layer), layout.layers.size() == 6))
             continue;
           ++shaded_points;
-          EXPECT_EQ(shadowed[tile], 1)
+          EXPECT_NE(shadowed[tile], 0)
               << "seed " << seed << ", tile " << tile << ", layer " << layer << " of "
               << layout.layers.size() << ", kind " << layout.gpu_lights[0].kind;
           break;
