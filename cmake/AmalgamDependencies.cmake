@@ -11,11 +11,12 @@ find_package(Protobuf REQUIRED)
 find_package(spdlog REQUIRED)
 find_package(prometheus-cpp REQUIRED)
 find_package(OpenSSL REQUIRED)
-find_package(OpenCV 4.6 REQUIRED COMPONENTS core imgproc calib3d imgcodecs videoio highgui aruco)
+find_package(OpenCV 4.6 REQUIRED COMPONENTS core imgproc calib3d imgcodecs videoio highgui aruco quality)
 find_package(GTest REQUIRED)
 find_package(benchmark REQUIRED)
 find_package(nlohmann_json REQUIRED)
 pkg_check_modules(EPOXY REQUIRED IMPORTED_TARGET epoxy egl)
+pkg_check_modules(LIBJPEG REQUIRED IMPORTED_TARGET libjpeg)
 pkg_check_modules(TURBOJPEG REQUIRED IMPORTED_TARGET libturbojpeg)
 
 # Header-only, without a CMake package that can be relied on.

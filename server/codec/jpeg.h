@@ -1,4 +1,5 @@
-// Camera frames and composites as JPEG: the only user of libturbojpeg.
+// Camera frames and composites as JPEG. libturbojpeg decodes, libjpeg (codec/libjpeg.h) encodes:
+// both are the same library's code, but only libjpeg's interface gives restart markers.
 //
 // Bytes come from strangers, so the header is judged by our own bounded reading of the markers
 // before the library sees anything, and a picture is either decoded without a single warning or
@@ -44,7 +45,9 @@ JpegHeader read_jpeg_header(std::span<const std::byte> jpeg);
 core::ImageRgb8 decode_jpeg(std::span<const std::byte> jpeg);
 
 // Quality 1 .. 100. Chroma is halved in both directions (4:2:0) below quality 95 and kept (4:4:4)
-// from there on. Throws JpegError if the image is empty or quality is out of range.
+// from there on. Bands of the image are encoded on all cores of the caller's TBB arena; the bytes
+// do not depend on their number. Throws JpegError if the image is empty or larger than 65500 a
+// side, or quality is out of range.
 std::vector<std::byte> encode_jpeg(const core::ImageRgb8& image, int quality);
 
 }  // namespace amalgam::codec

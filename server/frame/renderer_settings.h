@@ -35,9 +35,10 @@ struct RendererSettings {
   bool leave_out_tiles = true;
   trace::TraceSettings trace;
   scene::EnvLightOptions env_lights;
-  std::optional<float> exposure;  // none: metered on the real surfaces in view
-  int threads = 0;                // for tracing; 0: all cores
-  int jpeg_quality = 90;          // 1..100, where a client wants the default
+  std::optional<float> exposure;     // none: metered on the real surfaces in view
+  trace::RayLog* ray_log = nullptr;  // for measuring: collects what the tracer asks of Embree
+  int threads = 0;                   // for tracing; 0: all cores
+  int jpeg_quality = 90;             // 1..100, where a client wants the default
 };
 
 // "1", "4", "9", "16", "adaptive" or "adaptive:THRESHOLD", threshold in (0, 1]. Throws

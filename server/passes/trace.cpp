@@ -46,6 +46,7 @@ trace::TraceResult trace_samples(const TraceInputs& in, const graph::Access& acc
       .settings = in.settings,
       .keep_images = in.keep_images,
       .keep_provenance = in.keep_provenance,
+      .ray_log = in.ray_log,
   });
 }
 

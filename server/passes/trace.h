@@ -28,6 +28,7 @@ struct TraceInputs {
   trace::TraceSettings settings;
   bool keep_images = false;
   bool keep_provenance = false;
+  trace::RayLog* ray_log = nullptr;
   graph::Handle<SpecularSamples> specular;
   graph::Handle<SampleMask> mask;  // may be absent: every sample is traced
   graph::Handle<PlacedScene> scene;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <limits>
 
 namespace amalgam::scene {
 namespace {
@@ -11,28 +13,57 @@ double decode(double encoded) {
   return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
-const std::array<float, 256>& decode_table() {
-  static const std::array<float, 256> table = [] {
-    std::array<float, 256> made{};
-    for (std::size_t i = 0; i < made.size(); ++i) {
-      made[i] = static_cast<float>(decode(static_cast<double>(i) / 255.0));
-    }
-    return made;
-  }();
-  return table;
+std::array<float, 256> make_decode_table() {
+  std::array<float, 256> made{};
+  for (std::size_t i = 0; i < made.size(); ++i) {
+    made[i] = static_cast<float>(decode(static_cast<double>(i) / 255.0));
+  }
+  return made;
 }
 
-// Largest display-linear value of each byte: rounding to nearest happens in the encoded domain.
-const std::array<float, 255>& encode_thresholds() {
-  static const std::array<float, 255> thresholds = [] {
-    std::array<float, 255> made{};
-    for (std::size_t i = 0; i < made.size(); ++i) {
-      made[i] = static_cast<float>(decode((static_cast<double>(i) + 0.5) / 255.0));
+// The byte of a display-linear value is the number of thresholds that are not above it: rounding to
+// nearest happens in the encoded domain. The thresholds are 1.5e-4 to 0.996, and no two of them lie
+// in one bucket of floats that have the first kBucketBits bits of their mantissa in common. So a
+// look-up gives the byte at the bucket's begin, and one comparison says whether it is the next one.
+class SrgbEncoder {
+ public:
+  SrgbEncoder() {
+    for (std::size_t i = 0; i < kBytes - 1; ++i) {
+      next_[i] = static_cast<float>(decode((static_cast<double>(i) + 0.5) / 255.0));
     }
-    return made;
-  }();
-  return thresholds;
-}
+    next_[kBytes - 1] = std::numeric_limits<float>::infinity();
+    std::size_t byte = 0;
+    for (std::uint32_t bucket = 0; bucket < kBuckets; ++bucket) {
+      const float begin = std::bit_cast<float>(kFirst + (bucket << kDroppedBits));
+      while (begin >= next_[byte]) ++byte;
+      first_[bucket] = static_cast<std::uint8_t>(byte);
+    }
+  }
+
+  std::uint8_t operator()(float display_linear) const {
+    // NaN becomes kLeast, as the comparison with it is false.
+    const float x = display_linear > kLeast ? std::min(display_linear, 1.0f) : kLeast;
+    const std::uint32_t bucket = (std::bit_cast<std::uint32_t>(x) - kFirst) >> kDroppedBits;
+    const std::uint8_t byte = first_[bucket];
+    return static_cast<std::uint8_t>(byte + (x >= next_[byte] ? 1 : 0));
+  }
+
+ private:
+  static constexpr std::size_t kBytes = 256;
+  static constexpr int kBucketBits = 7, kDroppedBits = 23 - kBucketBits;
+  static constexpr float kLeast = 0x1p-13f;  // below the first threshold
+  static constexpr std::uint32_t kFirst = std::bit_cast<std::uint32_t>(kLeast);
+  // One for 1.0 itself.
+  static constexpr std::uint32_t kBuckets =
+      ((std::bit_cast<std::uint32_t>(1.0f) - kFirst) >> kDroppedBits) + 1;
+
+  std::array<std::uint8_t, kBuckets> first_{};  // the byte at a bucket's begin
+  std::array<float, kBytes> next_{};            // where the byte after each begins
+};
+
+// Made before main(), so that the loops over pixels do not ask each time whether they are there.
+const std::array<float, 256> kDecodeTable = make_decode_table();
+const SrgbEncoder kEncoder;
 
 }  // namespace
 
@@ -57,7 +88,7 @@ glm::vec3 inverse_tone_map(const glm::vec3& display_linear, float exposure) {
 }
 
 float srgb_decode(std::uint8_t byte) {
-  return decode_table()[byte];
+  return kDecodeTable[byte];
 }
 
 float srgb_decode(float encoded) {
@@ -65,15 +96,7 @@ float srgb_decode(float encoded) {
 }
 
 std::uint8_t srgb_encode(float display_linear) {
-  const auto& thresholds = encode_thresholds();
-  if (!(display_linear > 0.0f)) return 0;  // NaN too
-  // A guess by the curve, then at most a step or two along the exact thresholds.
-  const float x = std::min(display_linear, 1.0f);
-  const float encoded = x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1.0f / 2.4f) - 0.055f;
-  int byte = std::clamp(static_cast<int>(encoded * 255.0f + 0.5f), 0, 255);
-  while (byte > 0 && x < thresholds[static_cast<std::size_t>(byte) - 1]) --byte;
-  while (byte < 255 && x >= thresholds[static_cast<std::size_t>(byte)]) ++byte;
-  return static_cast<std::uint8_t>(byte);
+  return kEncoder(display_linear);
 }
 
 glm::vec3 srgb_decode(const core::Rgb8& pixel) {
@@ -81,8 +104,7 @@ glm::vec3 srgb_decode(const core::Rgb8& pixel) {
 }
 
 core::Rgb8 srgb_encode(const glm::vec3& display_linear) {
-  return {srgb_encode(display_linear.x), srgb_encode(display_linear.y),
-          srgb_encode(display_linear.z)};
+  return {kEncoder(display_linear.x), kEncoder(display_linear.y), kEncoder(display_linear.z)};
 }
 
 }  // namespace amalgam::scene

@@ -2,6 +2,7 @@
 
 #include <embree3/rtcore.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -31,6 +32,9 @@ void report_error(void*, RTCError code, const char* text) {
   core::log_error("embree error " + std::to_string(code) + ": " + (text ? text : ""));
 }
 
+// Robust: no cracks at shared edges (numerics B11). The filter is find_all()'s.
+const RTCSceneFlags kSceneFlags = RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION;
+
 // Copies a mesh's data into buffers that Embree owns (it reads 16 bytes past the last vertex
 // otherwise).
 SceneHandle build_mesh(RTCDevice device, const scene::Mesh& mesh) {
@@ -49,7 +53,7 @@ SceneHandle build_mesh(RTCDevice device, const scene::Mesh& mesh) {
   rtcCommitGeometry(geometry.get());
 
   SceneHandle built(rtcNewScene(device));
-  rtcSetSceneFlags(built.get(), RTC_SCENE_FLAG_ROBUST);  // no cracks at shared edges: numerics B11
+  rtcSetSceneFlags(built.get(), kSceneFlags);
   rtcSetSceneBuildQuality(built.get(), RTC_BUILD_QUALITY_HIGH);
   rtcAttachGeometry(built.get(), geometry.get());
   rtcCommitScene(built.get());
@@ -63,12 +67,15 @@ glm::dmat3 normal_matrix(const glm::mat4& world_from_mesh) {
   return glm::determinant(m) < 0.0 ? -cofactors : cofactors;
 }
 
-bool is_finite(const glm::vec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
+// Debian's Embree asserts where it cannot work, also in what an instance's transform makes of the
+// ray: beyond 1.8e18 it drops primitives anyway, and instances are conditioned within 1e6.
 bool is_valid(const Ray& ray) {
-  return is_finite(ray.origin) && is_finite(ray.direction) && ray.t_max > ray.t_min;
+  constexpr float kFarthest = 1e12f;
+  const auto in_range = [](const glm::vec3& v) {
+    return std::abs(v.x) < kFarthest && std::abs(v.y) < kFarthest && std::abs(v.z) < kFarthest;
+  };
+  return in_range(ray.origin) && in_range(ray.direction) && ray.t_min >= 0.0f &&
+         ray.t_max > ray.t_min;
 }
 
 void fill(RTCRay& out, const Ray& ray, Visible visible) {
@@ -86,7 +93,54 @@ void fill(RTCRay& out, const Ray& ray, Visible visible) {
   out.flags = 0;
 }
 
+double largest_element(const glm::dvec3& v) {
+  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+bool is_textured_instance(const scene::Scene& scene, const scene::Instance& instance) {
+  const scene::Mesh& mesh = scene.meshes[instance.mesh];
+  const scene::Material& material = scene.materials[instance.material];
+  return !mesh.colors.empty() ||
+         std::any_of(
+             scene::kAllTextureSlots.begin(), scene::kAllTextureSlots.end(),
+             [&](scene::TextureSlot slot) { return scene::has_texture(material, mesh, slot); });
+}
+
+bool passes_light(const scene::Material& material) {
+  return material.kind == scene::MaterialKind::Dielectric || material.alpha_cutoff.has_value();
+}
+
+// What find_all() hands through Embree to its filter.
+struct FindAllContext {
+  RTCIntersectContext embree;  // first: Embree knows only this part
+  const EmbreeScene* scene = nullptr;
+  PassedSurfaces* found = nullptr;
+  const std::uint8_t* ends_light = nullptr;
+};
+
+// Called for each surface on the way: writes it down and lets the ray go on.
+void write_down(const RTCFilterFunctionNArguments* arguments) {
+  const auto& context = *reinterpret_cast<const FindAllContext*>(arguments->context);
+  const auto* ray = reinterpret_cast<const RTCRay*>(arguments->ray);
+  const auto* hit = reinterpret_cast<const RTCHit*>(arguments->hit);
+  const unsigned instance = hit->instID[0];
+  if (context.ends_light[instance] != 0) return;  // accepted: the query ends
+  const Hit met{instance, hit->primID, {hit->u, hit->v}, ray->tfar};
+  context.scene->triangle(met).prefetch();
+  context.found->add(met);
+  arguments->valid[0] = 0;
+}
+
 }  // namespace
+
+void PlacedInstance::place(const glm::mat4& placement) {
+  world_from_mesh = placement;
+  mesh_from_world = glm::inverse(world_from_mesh);
+  normal_from_mesh = normal_matrix(placement);
+  stretch = std::max({largest_element(world_from_mesh[0]), largest_element(world_from_mesh[1]),
+                      largest_element(world_from_mesh[2])});
+  reach = largest_element(world_from_mesh[3]);
+}
 
 struct EmbreeScene::Impl {
   Device device;
@@ -100,16 +154,16 @@ EmbreeScene::EmbreeScene(const scene::Scene& scene)
       placed_(scene.instances.size()),
       last_placed_(scene.instances.size()),
       impl_(std::make_unique<Impl>()) {
-  // One thread: builds happen once at load, and the few instances of a frame commit faster than
-  // threads start.
-  impl_->device.reset(rtcNewDevice("threads=1,set_affinity=0"));
+  // Any number but 0 would limit the threads of the whole process for as long as the device lives
+  // (Embree 3.13 installs a tbb::global_control).
+  impl_->device.reset(rtcNewDevice("threads=0,set_affinity=0"));
   if (!impl_->device) throw std::runtime_error("Embree cannot create a device on this processor");
   rtcSetDeviceErrorFunction(impl_->device.get(), report_error, nullptr);
   for (const scene::Mesh& mesh : scene.meshes) {
     impl_->meshes.push_back(build_mesh(impl_->device.get(), mesh));
   }
   impl_->top.reset(rtcNewScene(impl_->device.get()));
-  rtcSetSceneFlags(impl_->top.get(), RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_DYNAMIC);
+  rtcSetSceneFlags(impl_->top.get(), kSceneFlags | RTC_SCENE_FLAG_DYNAMIC);
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
     const scene::Instance& instance = scene.instances[i];
     Geometry geometry(rtcNewGeometry(impl_->device.get(), RTC_GEOMETRY_TYPE_INSTANCE));
@@ -121,6 +175,18 @@ EmbreeScene::EmbreeScene(const scene::Scene& scene)
     impl_->instances.push_back(std::move(geometry));
   }
   rtcCommitScene(impl_->top.get());
+
+  for (const scene::Mesh& mesh : scene.meshes) triangles_.push_back(mesh_triangles(mesh));
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    const scene::Instance& instance = scene.instances[i];
+    placed_[i].triangles = triangles_[instance.mesh].data();
+    placed_[i].material = instance.material;
+    placed_[i].role = instance.role;
+    placed_[i].textured = is_textured_instance(scene, instance);
+    const bool passes = passes_light(scene.materials[instance.material]);
+    ends_light_.push_back(!passes && instance.role == scene::Role::Real ? 1 : 0);
+    anything_passes_light_ = anything_passes_light_ || passes;
+  }
 }
 
 EmbreeScene::~EmbreeScene() = default;
@@ -143,7 +209,7 @@ void EmbreeScene::place(const scene::AnchoredScene& anchored) {
     if (next[i] == last_placed_[i]) continue;
     RTCGeometry geometry = impl_->instances[i].get();
     if (next[i]) {
-      placed_[i] = {glm::dmat4(*next[i]), normal_matrix(*next[i])};
+      placed_[i].place(*next[i]);
       rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR,
                               glm::value_ptr(*next[i]));
       rtcEnableGeometry(geometry);
@@ -176,6 +242,19 @@ bool EmbreeScene::is_occluded(const Ray& ray, Visible visible) const {
   RTCRay query{};
   fill(query, ray, visible);
   rtcOccluded1(impl_->top.get(), &context, &query);
+  return query.tfar < 0.0f;
+}
+
+bool EmbreeScene::find_all(const Ray& ray, Visible visible, PassedSurfaces& found) const {
+  found.clear();
+  if (!is_valid(ray)) return false;
+  FindAllContext context{
+      .embree = {}, .scene = this, .found = &found, .ends_light = ends_light_.data()};
+  rtcInitIntersectContext(&context.embree);
+  context.embree.filter = write_down;
+  RTCRay query{};
+  fill(query, ray, visible);
+  rtcOccluded1(impl_->top.get(), &context.embree, &query);
   return query.tfar < 0.0f;
 }
 

@@ -3,6 +3,8 @@
 // The only user of Embree. World frame, metres.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
@@ -15,11 +17,12 @@
 
 #include "scene/anchored_scene.h"
 #include "scene/scene.h"
+#include "trace/mesh_triangle.h"
 
 namespace amalgam::trace {
 
 // Which objects a ray can meet. Values are Embree's mask bits.
-enum class Visible : std::uint32_t { Real = 1, Everything = 3 };
+enum class Visible : std::uint32_t { Real = 1, Virtual = 2, Everything = 3 };
 
 struct Ray {
   glm::vec3 origin{0.0f};
@@ -35,12 +38,40 @@ struct Hit {
   double t = 0.0;               // metres; as Embree finds it, a float
 };
 
-// An instance placed in the world, with the matrix that carries its normals (cofactors, so that
-// singular scales cannot divide by zero, times the sign of the determinant, so that outside stays
-// outside under mirroring: numerics B23).
+// An instance placed in the world.
 struct PlacedInstance {
+  void place(const glm::mat4& placement);
+
   glm::dmat4 world_from_mesh{1.0};
+  glm::dmat4 mesh_from_world{1.0};
+  // Carries normals: cofactors, so that singular scales cannot divide by zero, times the sign of
+  // the determinant, so that outside stays outside under mirroring (numerics B23).
   glm::dmat3 normal_from_mesh{1.0};
+  double stretch = 1.0;  // largest element of the linear part
+  double reach = 0.0;    // largest coordinate of the translation, metres
+
+  const MeshTriangle* triangles = nullptr;  // the mesh's
+  std::uint32_t material = 0;               // index into Scene::materials
+  scene::Role role = scene::Role::Virtual;
+  bool textured = false;  // the material varies over the surface: textures or vertex colours
+};
+
+// What a straight way meets. More than it has room for is not kept, but noticed.
+class PassedSurfaces {
+ public:
+  static constexpr std::size_t kMost = 256;  // a bound against meshes that never end
+
+  void add(const Hit& hit) {
+    if (count_ < kMost) hits_[count_] = hit;
+    ++count_;
+  }
+  void clear() { count_ = 0; }
+  bool overflowed() const { return count_ > kMost; }
+  std::span<Hit> hits() { return {hits_.data(), std::min(count_, kMost)}; }
+
+ private:
+  std::array<Hit, kMost> hits_;
+  std::size_t count_ = 0;
 };
 
 class EmbreeScene {
@@ -61,8 +92,18 @@ class EmbreeScene {
   std::optional<Hit> intersect(const Ray& ray, Visible visible) const;
   bool is_occluded(const Ray& ray, Visible visible) const;
 
+  // Every surface on the ray, in no order, edges and split triangles more than once. Ends early,
+  // and returns true, at a surface that light never passes and that is real: then the list is not
+  // complete.
+  bool find_all(const Ray& ray, Visible visible, PassedSurfaces& found) const;
+
   const scene::Scene& scene() const { return scene_; }
+  // Whether light passes anything of the scene: glass, or surfaces with holes.
+  bool anything_passes_light() const { return anything_passes_light_; }
   const PlacedInstance& placed(std::uint32_t instance) const { return placed_[instance]; }
+  const MeshTriangle& triangle(const Hit& hit) const {
+    return placed_[hit.instance].triangles[hit.triangle];
+  }
 
  private:
   struct Impl;
@@ -70,7 +111,11 @@ class EmbreeScene {
   Placements placements(const scene::AnchoredScene& anchored) const;
 
   const scene::Scene& scene_;
-  std::vector<PlacedInstance> placed_;  // by Scene::instances
+  std::vector<std::vector<MeshTriangle>> triangles_;  // by Scene::meshes
+  // By Scene::instances.
+  std::vector<PlacedInstance> placed_;
+  std::vector<std::uint8_t> ends_light_;  // real, and no light ever passes it
+  bool anything_passes_light_ = false;
   Placements last_placed_;
   std::unique_ptr<Impl> impl_;
 };

@@ -9,33 +9,15 @@
 namespace amalgam::trace {
 namespace {
 
-// A triangle in the world: its first corner, and its edges from there.
+// A triangle in its mesh's frame: its first corner, and its edges from there.
 struct Triangle {
   glm::dvec3 a, edge_u, edge_v;
 };
 
 Triangle triangle_of(const EmbreeScene& scene, const Hit& hit) {
-  const scene::Mesh& mesh = scene.scene().meshes[scene.scene().instances[hit.instance].mesh];
-  const glm::dmat4& world_from_mesh = scene.placed(hit.instance).world_from_mesh;
-  const glm::uvec3 corners = mesh.triangles[hit.triangle];
-  const auto corner = [&](std::uint32_t index) {
-    return glm::dvec3(world_from_mesh * glm::dvec4(mesh.positions[index], 1.0));
-  };
-  const glm::dvec3 a = corner(corners.x);
-  return {a, corner(corners.y) - a, corner(corners.z) - a};
-}
-
-// The line's point in the triangle's plane; Möller and Trumbore 1997.
-Hit in_plane_of(const EmbreeScene& scene, const Hit& hit, const glm::dvec3& start,
-                const glm::dvec3& direction) {
-  const auto [a, edge_u, edge_v] = triangle_of(scene, hit);
-  const glm::dvec3 from_a = start - a;
-  const glm::dvec3 p = glm::cross(direction, edge_v), q = glm::cross(from_a, edge_u);
-  const double scale = glm::dot(edge_u, p);
-  return {hit.instance,
-          hit.triangle,
-          {glm::dot(from_a, p) / scale, glm::dot(direction, q) / scale},
-          glm::dot(edge_v, q) / scale};
+  const auto& corners = scene.triangle(hit).corners;
+  const glm::dvec3 a(corners[0]);
+  return {a, glm::dvec3(corners[1]) - a, glm::dvec3(corners[2]) - a};
 }
 
 bool is_finite(const Hit& hit) {
@@ -48,6 +30,27 @@ double beside(const Hit& hit) {
   const glm::dvec2& b = hit.barycentric;
   return std::max(-b.x, std::max(-b.y, b.x + b.y - 1.0));
 }
+
+}  // namespace
+
+// Möller and Trumbore 1997, with the line carried into the mesh's frame: its direction is not unit
+// there, and t stays what it is in the world.
+Hit in_plane_of(const EmbreeScene& scene, const Hit& hit, const glm::dvec3& start,
+                const glm::dvec3& direction) {
+  const glm::dmat4& mesh_from_world = scene.placed(hit.instance).mesh_from_world;
+  const glm::dvec3 from(mesh_from_world * glm::dvec4(start, 1.0));
+  const glm::dvec3 along = glm::dmat3(mesh_from_world) * direction;
+  const auto [a, edge_u, edge_v] = triangle_of(scene, hit);
+  const glm::dvec3 from_a = from - a;
+  const glm::dvec3 p = glm::cross(along, edge_v), q = glm::cross(from_a, edge_u);
+  const double scale = 1.0 / glm::dot(edge_u, p);
+  return {hit.instance,
+          hit.triangle,
+          {glm::dot(from_a, p) * scale, glm::dot(along, q) * scale},
+          glm::dot(edge_v, q) * scale};
+}
+
+namespace {
 
 // What lies there if another ray looks from nearby, where float is finer and nothing has to be
 // left.
@@ -69,7 +72,8 @@ Hit nearest_edge(const EmbreeScene& scene, Hit hit, const glm::dvec3& start,
   const glm::dvec2 inside = glm::max(hit.barycentric, glm::dvec2(0.0));
   hit.barycentric = inside / std::max(1.0, inside.x + inside.y);
   const auto [a, edge_u, edge_v] = triangle_of(scene, hit);
-  const glm::dvec3 point = a + hit.barycentric.x * edge_u + hit.barycentric.y * edge_v;
+  const glm::dvec3 in_mesh = a + hit.barycentric.x * edge_u + hit.barycentric.y * edge_v;
+  const glm::dvec3 point(scene.placed(hit.instance).world_from_mesh * glm::dvec4(in_mesh, 1.0));
   hit.t = glm::dot(point - start, direction);
   return hit;
 }

@@ -9,10 +9,17 @@
 
 namespace amalgam::trace {
 
+// Where the line meets the plane of the triangle that the hit names, also beside the triangle. Not
+// finite where the line runs in the plane.
+Hit in_plane_of(const EmbreeScene& scene, const Hit& hit, const glm::dvec3& start,
+                const glm::dvec3& direction);
+
 // The hit of the line that begins at start, with barycentric coordinates and t (from start) in
 // double: in the triangle that the traced ray met, or in its neighbour (of what is visible) if the
 // line passes beside that one. Where the line passes beside both, their edge; where it has no point
 // in common with the triangle that means anything (seen edge-on), the traced hit as it is.
+//
+// traced.t is from start as well, as well as float knows it.
 Hit hit_on_line(const EmbreeScene& scene, const Hit& traced, const glm::dvec3& start,
                 const glm::dvec3& direction, Visible visible);
 

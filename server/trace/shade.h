@@ -10,9 +10,14 @@
 
 namespace amalgam::trace {
 
+// Whether light from there falls on the outside of the surface, by its geometric and by its shading
+// normal.
+bool is_lit_from(const SurfacePoint& point, const glm::vec3& to_light);
+
 // Radiance towards `view` that the light causes if nothing is in its way; 0 if it is behind the
-// surface, by its geometric or its shading normal. See scene/material.h for the terms.
+// surface (is_lit_from). See scene/material.h for the terms.
 glm::vec3 phong_contribution(const scene::PhongTerms& terms, const SurfacePoint& point,
-                             const glm::vec3& view, const scene::LightArrival& arrival);
+                             const glm::vec3& view, const glm::vec3& to_light,
+                             const glm::vec3& irradiance);
 
 }  // namespace amalgam::trace

@@ -5,9 +5,12 @@
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
+#include <span>
+#include <tuple>
 
 #include "trace/fresnel.h"
-#include "trace/straight_way.h"
+#include "trace/hit_on_line.h"
+#include "trace/surface_point.h"
 
 namespace amalgam::trace {
 namespace {
@@ -30,37 +33,114 @@ struct Solution {
   }
 };
 
+// What one surface on the way does to the light.
+void pass_surface(const EmbreeScene& scene, const Hit& hit, const glm::dvec3& direction,
+                  Solution& solution) {
+  const SurfacePoint point = surface_point(scene, hit, direction);
+  const scene::Material& material = scene.scene().materials[point.material];
+  if (material.alpha_cutoff && point.base_color.w < *material.alpha_cutoff) return;  // a hole
+  if (material.kind != scene::MaterialKind::Dielectric) {
+    solution.blocked = true;
+    return;
+  }
+  const auto cosine = static_cast<float>(std::abs(glm::dot(point.shading_normal, direction)));
+  const float through =
+      point.transmission * shadow_transmittance(cosine, material.ior, material.thin);
+  const auto way = static_cast<float>(point.front ? -hit.t : hit.t);
+  solution.pass_glass(glm::vec3(point.base_color) * through,
+                      material.thin ? glm::vec3(0.0f) : material.absorption * way);
+}
+
+bool is_front(const EmbreeScene& scene, const Hit& hit, const glm::dvec3& direction) {
+  const auto& corners = scene.triangle(hit).corners;
+  const glm::dvec3 a(corners[0]);
+  const glm::dvec3 area = glm::cross(glm::dvec3(corners[1]) - a, glm::dvec3(corners[2]) - a);
+  return glm::dot(scene.placed(hit.instance).normal_from_mesh * area, direction) < 0.0;
+}
+
+// On an edge Embree may meet both triangles, where the line enters or leaves once; and it may meet
+// a triangle twice that its BVH has split.
+bool is_same(const EmbreeScene& scene, const Hit& a, const Hit& b, const glm::dvec3& direction) {
+  constexpr double kSame = 4e-7;
+  if (a.instance != b.instance || std::abs(a.t - b.t) > kSame * b.t) return false;
+  return a.triangle == b.triangle || is_front(scene, a, direction) == is_front(scene, b, direction);
+}
+
+// The surfaces on the line that begins at start, nearest first, each once.
+std::span<Hit> put_in_order(const EmbreeScene& scene, const glm::dvec3& start,
+                            const glm::dvec3& direction, std::span<Hit> hits) {
+  for (Hit& hit : hits) {
+    const Hit on_line = in_plane_of(scene, hit, start, direction);
+    // Seen edge-on the plane says nothing, and Embree's answer stays.
+    if (std::abs(on_line.t - hit.t) <= 1e-3 * hit.t) hit = on_line;
+  }
+  std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {
+    return std::tie(a.t, a.instance, a.triangle) < std::tie(b.t, b.instance, b.triangle);
+  });
+  const auto last = std::unique(hits.begin(), hits.end(), [&](const Hit& a, const Hit& b) {
+    return is_same(scene, a, b, direction);
+  });
+  return hits.first(static_cast<std::size_t>(last - hits.begin()));
+}
+
+// What the surfaces that find_all() met leave of the light, real and virtual ones apart.
+struct Solutions {
+  Solution real, virtual_only;
+};
+
+Solutions pass_surfaces(const EmbreeScene& scene, const glm::dvec3& start, const Ray& ray,
+                        PassedSurfaces& surfaces) {
+  Solutions solutions;
+  const glm::dvec3 direction(ray.direction);
+  const double ahead = glm::distance(start, glm::dvec3(ray.origin));
+  for (Hit& hit : surfaces.hits()) hit.t += ahead;
+  for (const Hit& hit : put_in_order(scene, start, direction, surfaces.hits())) {
+    const bool real = scene.placed(hit.instance).role == scene::Role::Real;
+    pass_surface(scene, hit, direction, real ? solutions.real : solutions.virtual_only);
+  }
+  return solutions;
+}
+
+// What the real surfaces on the way leave of the light.
+glm::vec3 real_attenuation(const EmbreeScene& scene, const glm::dvec3& start, const Ray& ray,
+                           PassedSurfaces& surfaces) {
+  if (!scene.anything_passes_light())
+    return glm::vec3(scene.is_occluded(ray, Visible::Real) ? 0.0f : 1.0f);
+  if (scene.find_all(ray, Visible::Real, surfaces) || surfaces.overflowed()) return glm::vec3(0.0f);
+  return pass_surfaces(scene, start, ray, surfaces).real.attenuation();
+}
+
+constexpr ShadowAttenuation kDark{glm::vec3(0.0f), glm::vec3(0.0f)};
+
 }  // namespace
 
-ShadowAttenuation trace_shadow(const EmbreeScene& scene, const glm::dvec3& start, const Ray& ray) {
-  if (!scene.is_occluded(ray, Visible::Everything))
-    return {};  // the common case, and the cheapest query
-  Solution real, virtual_only;
-  const auto pass = [&](const SurfacePoint& point, double t) -> std::optional<Visible> {
-    const scene::Material& material = scene.scene().materials[point.material];
-    Solution& solution = point.role == scene::Role::Real ? real : virtual_only;
-    const bool masked_out = material.alpha_cutoff && point.base_color.w < *material.alpha_cutoff;
-    if (masked_out) {
-      // Nothing there.
-    } else if (material.kind != scene::MaterialKind::Dielectric) {
-      solution.blocked = true;
-    } else {
-      const auto cosine =
-          static_cast<float>(std::abs(glm::dot(point.shading_normal, glm::dvec3(ray.direction))));
-      const float through =
-          point.transmission * shadow_transmittance(cosine, material.ior, material.thin);
-      const auto way = static_cast<float>(point.front ? -t : t);
-      solution.pass_glass(glm::vec3(point.base_color) * through,
-                          material.thin ? glm::vec3(0.0f) : material.absorption * way);
-    }
-    if (real.blocked) return std::nullopt;
-    // Once the mixed solution is dark, virtual objects make no difference any more.
-    return virtual_only.blocked ? Visible::Real : Visible::Everything;
-  };
-  // Too many surfaces count as opaque.
-  if (!walk_straight(scene, start, ray, Visible::Everything, pass)) real.blocked = true;
-  const glm::vec3 real_attenuation = real.attenuation();
-  return {real_attenuation * virtual_only.attenuation(), real_attenuation};
+ShadowAttenuation trace_shadow(const EmbreeScene& scene, const glm::dvec3& start, const Ray& ray,
+                               PassedSurfaces& surfaces) {
+  if (!scene.anything_passes_light()) {
+    if (!scene.is_occluded(ray, Visible::Everything)) return {};
+    return {glm::vec3(0.0f), real_attenuation(scene, start, ray, surfaces)};
+  }
+  if (scene.find_all(ray, Visible::Everything, surfaces) || surfaces.overflowed()) return kDark;
+  if (surfaces.hits().empty()) return {};
+  const Solutions solutions = pass_surfaces(scene, start, ray, surfaces);
+  const glm::vec3 real = solutions.real.attenuation();
+  return {real * solutions.virtual_only.attenuation(), real};
+}
+
+ShadowAttenuation trace_shadow_change(const EmbreeScene& scene, const glm::dvec3& start,
+                                      const Ray& ray, PassedSurfaces& surfaces) {
+  glm::vec3 added(0.0f);
+  if (!scene.anything_passes_light()) {
+    if (!scene.is_occluded(ray, Visible::Virtual)) return {};
+  } else {
+    scene.find_all(ray, Visible::Virtual, surfaces);
+    if (surfaces.overflowed()) return kDark;
+    if (surfaces.hits().empty()) return {};
+    added = pass_surfaces(scene, start, ray, surfaces).virtual_only.attenuation();
+    if (added == glm::vec3(1.0f)) return {};
+  }
+  const glm::vec3 real = real_attenuation(scene, start, ray, surfaces);
+  return {real * added, real};
 }
 
 }  // namespace amalgam::trace

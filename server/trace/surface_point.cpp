@@ -15,13 +15,35 @@ double largest(const glm::dvec3& v) {
   return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
+glm::dvec3 unit(const glm::dvec3& v) {
+  return v * (1.0 / std::sqrt(glm::dot(v, v)));
+}
+
 // A hit exactly on an edge belongs to two faces, and rounding can put it beyond the other one, from
 // where a secondary ray escapes. A millionth of the way towards the triangle's centre is inside, or
 // a few units of float in the last place where those are more. rounding: a unit as a share of the
 // triangle's size.
-glm::dvec2 pulled_inside(const glm::dvec2& barycentric, double rounding) {
+double share_of_way_inside(double rounding) {
   constexpr double kLeast = 1.0 / (1 << 20), kMost = 0.05, kUnits = 4.0;
-  return glm::mix(barycentric, glm::dvec2(1.0 / 3.0), glm::clamp(kUnits * rounding, kLeast, kMost));
+  return std::clamp(kUnits * rounding, kLeast, kMost);
+}
+
+// What the material says where it is the same everywhere.
+void take_factors(const scene::Material& material, SurfacePoint& point) {
+  point.base_color = material.base_color;
+  point.emission = material.emission;
+  point.metallic = material.metallic;
+  point.roughness = material.roughness;
+  point.transmission = material.transmission;
+}
+
+void take_texels(const Texels& texels, SurfacePoint& point) {
+  point.base_color = texels.base_color();
+  point.emission = texels.emission();
+  const glm::vec2 metallic_roughness = texels.metallic_roughness();
+  point.metallic = metallic_roughness.x;
+  point.roughness = metallic_roughness.y;
+  point.transmission = texels.transmission();
 }
 
 }  // namespace
@@ -48,52 +70,49 @@ scene::PhongTerms phong_terms_at(const SurfacePoint& point, scene::MaterialKind 
 
 SurfacePoint surface_point(const EmbreeScene& scene, const Hit& hit, const glm::dvec3& direction,
                            double cone_width) {
-  const scene::Instance& instance = scene.scene().instances[hit.instance];
-  const scene::Mesh& mesh = scene.scene().meshes[instance.mesh];
   const PlacedInstance& placed = scene.placed(hit.instance);
-  const glm::uvec3 corners = mesh.triangles[hit.triangle];
-  const glm::dvec3 a(mesh.positions[corners.x]), b(mesh.positions[corners.y]),
-      c(mesh.positions[corners.z]);
+  const MeshTriangle& triangle = scene.triangle(hit);
+  const glm::dvec3 a(triangle.corners[0]), b(triangle.corners[1]), c(triangle.corners[2]);
+  const glm::dvec3 edge_u = b - a, edge_v = c - a;
 
   SurfacePoint point;
-  const glm::dmat4& m = placed.world_from_mesh;
   const double corner = std::max({largest(a), largest(b), largest(c)});
-  const double stretch = std::max({largest(m[0]), largest(m[1]), largest(m[2])});
-  point.offset = offset_height(stretch * corner + largest(m[3]));
-  const double size = stretch * std::max(largest(b - a), largest(c - a));
+  point.offset = offset_height(placed.stretch * corner + placed.reach);
+  const double size = placed.stretch * std::max(largest(edge_u), largest(edge_v));
   const double rounding = point.offset / (kOffsetUnits * std::max(size, 1e-30));
-  const auto at = [&](const glm::dvec2& barycentric) {
-    return glm::dvec3(m * glm::dvec4(interpolate(a, b, c, barycentric), 1.0));
-  };
-  point.position = at(hit.barycentric);
-  point.inside = at(pulled_inside(hit.barycentric, rounding));
-  const glm::dvec3 area = glm::cross(b - a, c - a);
-  const glm::dvec3 outwards = placed.normal_from_mesh * glm::normalize(area);
-  const glm::dvec3 outside = glm::normalize(outwards);
-  const glm::dvec3 interpolated =
-      interpolate(glm::dvec3(mesh.normals[corners.x]), glm::dvec3(mesh.normals[corners.y]),
-                  glm::dvec3(mesh.normals[corners.z]), hit.barycentric);
-  glm::dvec3 smooth = placed.normal_from_mesh * interpolated;
-  const double length = glm::length(smooth);
-  smooth = length > 0.0 ? smooth / length : outside;
+  const glm::dvec2& at = hit.barycentric;
+  point.position =
+      glm::dvec3(placed.world_from_mesh * glm::dvec4(a + at.x * edge_u + at.y * edge_v, 1.0));
+  const glm::dvec3 to_centre = (1.0 / 3.0 - at.x) * edge_u + (1.0 / 3.0 - at.y) * edge_v;
+  point.inside = point.position +
+                 share_of_way_inside(rounding) * (glm::dmat3(placed.world_from_mesh) * to_centre);
 
-  const Texels texels(scene.scene(), hit,
-                      {.cosine = static_cast<float>(glm::dot(outside, direction)),
-                       .cone_width = static_cast<float>(cone_width),
-                       .world_area_per_mesh_area = static_cast<float>(glm::length(outwards))});
-  smooth = texels.bent_normal(smooth, placed);
+  const glm::dvec3 outside = unit(placed.normal_from_mesh * glm::cross(edge_u, edge_v));
+  const glm::dvec3 interpolated =
+      interpolate(glm::dvec3(triangle.normals[0]), glm::dvec3(triangle.normals[1]),
+                  glm::dvec3(triangle.normals[2]), at);
+  glm::dvec3 smooth = placed.normal_from_mesh * interpolated;
+  const double length2 = glm::dot(smooth, smooth);
+  smooth = length2 > 0.0 ? smooth * (1.0 / std::sqrt(length2)) : outside;
+
+  if (placed.textured) {
+    const double world_area_per_mesh_area =
+        glm::length(placed.normal_from_mesh * unit(glm::cross(edge_u, edge_v)));
+    const Texels texels(scene.scene(), hit,
+                        {.cosine = static_cast<float>(glm::dot(outside, direction)),
+                         .cone_width = static_cast<float>(cone_width),
+                         .world_area_per_mesh_area = static_cast<float>(world_area_per_mesh_area)});
+    smooth = texels.bent_normal(smooth, placed);
+    take_texels(texels, point);
+  } else {
+    take_factors(scene.scene().materials[placed.material], point);
+  }
   point.front = glm::dot(outside, direction) < 0.0;
   const double side = point.front ? 1.0 : -1.0;
   point.geometric_normal = side * outside;
   point.shading_normal = side * smooth;
-  point.material = instance.material;
-  point.role = instance.role;
-  point.base_color = texels.base_color();
-  point.emission = texels.emission();
-  const glm::vec2 metallic_roughness = texels.metallic_roughness();
-  point.metallic = metallic_roughness.x;
-  point.roughness = metallic_roughness.y;
-  point.transmission = texels.transmission();
+  point.material = placed.material;
+  point.role = placed.role;
   return point;
 }
 

@@ -47,6 +47,11 @@ inline bool is_rough(const SurfacePoint& point) {
   return point.roughness > scene::kSmoothRoughness;
 }
 
+// What a rough surface does not let through has no mirror image: Phong's highlight stands for it.
+inline float mirror_share(const SurfacePoint& point) {
+  return is_rough(point) ? point.transmission : 1.0f;
+}
+
 // What a diffuse surface does at the point, or what glass does with the light that it does not let
 // through: smooth glass is Lambertian, because its mirror image is traced.
 scene::PhongTerms phong_terms_at(const SurfacePoint& point, scene::MaterialKind kind);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/tile_grid.h"
-#include "trace/tracer.h"
+#include "trace/trace_request.h"
 #include "trace/work_items.h"
 
 namespace amalgam::trace {
@@ -15,12 +15,22 @@ struct TileCounts {
   std::uint64_t nonfinite = 0, samples = 0, primary_virtual = 0, primary_specular = 0;
 };
 
+// What all tiles of a frame are given.
+struct TileContext {
+  const TraceRequest& request;
+  const CameraLookup* lookup = nullptr;  // null: real surfaces are seen as they are modelled
+  Media camera_media;                    // what the camera stands in
+  glm::dmat4 world_from_camera{1.0};
+};
+
+// A verb a file; this header and tile.cpp say in which order they work. One thread works on many
+// tiles, one after the other, with the same object, so that queues are made once.
 class Tile {
  public:
-  // The pixels [x, x + side) x [y, y + side) of the request's camera that lie inside it.
-  // camera_media: what the camera stands in.
-  Tile(const TraceRequest& request, const CameraLookup* lookup, const Media& camera_media, int x,
-       int y);
+  explicit Tile(const TileContext& context);
+
+  // Starts another tile of the context's picture.
+  void start(std::size_t tile);
 
   // The whole way of the tile's samples, as a list of verbs.
   void trace();
@@ -29,6 +39,7 @@ class Tile {
   void resolve(TraceResult& result);
 
   const TileCounts& counts() const { return counts_; }
+  const std::vector<LoggedRay>& logged() const { return logged_; }
 
  private:
   struct SamplePlace {
@@ -41,35 +52,47 @@ class Tile {
   void intersect_rays();
   void shade_hits();
   void add_escaped();
+  void look_up_real();
   void spawn_shadow_rays();
   void trace_shadow_rays();
   void add_diffuse();
 
+  void add_sample(const glm::ivec2& pixel, const glm::dvec2& at, bool first_of_pixel);
   void count_primary(const SurfacePoint& point, const scene::Material& material);
-  void scatter(const RayItem& item, const SurfacePoint& point, const glm::vec3& weight);
-  void scatter_back(const RayItem& item, const SurfacePoint& point, const glm::vec3& weight);
+  void scatter(const RayItem& item, const MetSurface& met);
+  void scatter_mirror(const RayItem& item, const MetSurface& met, const glm::dvec3& normal);
+  void scatter_thin(const RayItem& item, const MetSurface& met, const glm::dvec3& normal);
+  void scatter_solid(const RayItem& item, const MetSurface& met, const glm::dvec3& normal);
+  void scatter_back(const RayItem& item, const MetSurface& met, float k_s);
   void pass_straight(const RayItem& item, const SurfacePoint& point);
-  void spawn(const RayItem& parent, const SurfacePoint& point, const glm::dvec3& direction,
+  void spawn(const RayItem& parent, const MetSurface& met, const glm::dvec3& direction,
              const glm::vec3& weight, RayKind kind, const Media& media);
-  void add_real_surface(const DiffuseItem& item, const DiffuseRadiance& radiance);
+  void log(const Ray& ray, Visible visible, RayQuery query);
 
+  const scene::Material& material(std::uint32_t index) const {
+    return request_.scene.scene().materials[index];
+  }
+
+  const TileContext& context_;
   const TraceRequest& request_;
-  const CameraLookup* lookup_;
-  Media camera_media_;
-  int x_, y_;
+  core::TileGrid grid_;
+  double sample_spread_;  // angle between neighbouring samples, radians: how a ray's cone widens
+  std::size_t tile_ = 0;
 
   std::vector<SamplePlace> places_;
   std::vector<SampleResult> samples_;
-  std::vector<bool> sees_real_diffuse_;
+  std::vector<std::uint8_t> sees_real_diffuse_;
 
-  std::vector<RayItem>
-      waiting_;  // a stack: batches are taken from its end, which bounds its size by the depth
+  // A stack: batches are taken from its end, which bounds its size by the depth.
+  std::vector<RayItem> waiting_;
   std::vector<RayItem> batch_;
   std::vector<std::optional<Hit>> hits_;
   std::vector<EscapedItem> escaped_;
   std::vector<DiffuseItem> diffuse_;
   std::vector<DiffuseRadiance> radiance_;  // by diffuse_
   std::vector<ShadowItem> shadows_;
+  PassedSurfaces passed_;
+  std::vector<LoggedRay> logged_;
   TileCounts counts_;
 };
 

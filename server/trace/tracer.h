@@ -5,68 +5,9 @@
 // Sums are made in a fixed order, so images are bit-equal for any number of threads (numerics B25).
 #pragma once
 
-#include <optional>
-#include <span>
-
-#include "core/camera_model.h"
-#include "core/image.h"
-#include "core/layers.h"
-#include "core/provenance.h"
-#include "core/ray_counts.h"
-#include "scene/environment.h"
-#include "scene/light.h"
-#include "trace/camera_lookup.h"
-#include "trace/embree_scene.h"
-#include "trace/fresnel.h"
+#include "trace/trace_request.h"
 
 namespace amalgam::trace {
-
-struct TraceSettings {
-  int max_depth = 10;                // specular surfaces that a ray may meet
-  float importance_cutoff = 0.004f;  // share of a sample below which a branch ends; about 1/255
-  FresnelModel fresnel = FresnelModel::Schlick;
-};
-
-struct TraceRequest {
-  const EmbreeScene& scene;
-  std::span<const scene::Light> lights;
-  const scene::Environment* environment = nullptr;  // null: nothing is black
-  core::CameraModel camera;                         // pinhole; primary rays go through its pixels
-  glm::dmat4 camera_from_world{1.0};
-  int samples_per_side =
-      1;  // n: sample (i, j) of pixel (x, y) lies at x - 0.5 + (i + 0.5) / n, y likewise
-
-  // Size camera * n; a sample is traced where (value & mask_bit) != 0. Null: every sample is.
-  const core::Image<std::uint8_t>* mask = nullptr;
-  std::uint8_t mask_bit = 0;
-
-  // Null: real surfaces are seen as they are modelled.
-  const CameraView* lookup = nullptr;
-  float exposure = 1.0f;
-  TraceSettings settings;
-  bool keep_images = false;
-  bool keep_provenance = false;
-};
-
-// The buffers of the thesis, from the first sample of each traced pixel; 0 elsewhere.
-struct TracedImages {
-  core::ImageRgb32f mixed;  // I_m, scene-linear
-  core::ImageRgba32f
-      real;  // I_r, scene-linear; alpha 1 where the camera sees a real diffuse surface directly
-  core::ImageRgb32f environment_reflection;  // I_e, display-linear
-  core::Image<std::uint8_t> met_virtual;     // M_v
-};
-
-struct TraceResult {
-  core::Layers layers;  // traced samples' share of each pixel; the rest is the rasteriser's
-  core::RayCounts rays;
-  std::uint64_t nonfinite = 0;  // sample values replaced by 0
-  std::uint64_t traced_samples = 0;
-  std::uint64_t primary_virtual = 0,
-                primary_specular = 0;  // traced samples whose first surface is so
-  std::optional<TracedImages> images;
-  std::optional<core::ProvenanceImage> provenance;  // of the traced samples
-};
 
 // Runs on the caller's TBB arena.
 TraceResult trace(const TraceRequest& request);

@@ -7,14 +7,20 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <vector>
+#include <optional>
 
 #include "core/provenance.h"
+#include "trace/camera_lookup.h"
 #include "trace/embree_scene.h"
 #include "trace/media.h"
 #include "trace/surface_point.h"
 
 namespace amalgam::trace {
+
+// A weight as one number: its share of the sample's light.
+inline float mean_channel(const glm::vec3& weight) {
+  return (weight.x + weight.y + weight.z) / 3.0f;
+}
 
 enum class RayKind : std::uint8_t { Primary, Reflection, Refraction };
 
@@ -33,6 +39,13 @@ struct RayItem {
   std::uint32_t sample = 0;
   std::uint16_t depth = 0;  // specular surfaces met so far
   RayKind kind = RayKind::Primary;
+};
+
+// What a ray met, and with which share of its sample it arrived there.
+struct MetSurface {
+  SurfacePoint point;
+  glm::vec3 weight{0.0f};
+  double path_length = 0.0;  // metres from the camera
 };
 
 // A ray that meets nothing any more, or is cut off: takes the environment in its direction.
@@ -58,13 +71,18 @@ struct DiffuseItem {
   glm::vec3 weight{0.0f};
   std::uint32_t sample = 0;
   RealColor real_color = RealColor::LookedUp;
+  std::optional<CameraSample> seen{};  // of a real surface: the camera's colour there
+
+  // The camera says what the surface looks like; all that is asked of the lights is what virtual
+  // objects change in it.
+  bool only_change_counts() const { return seen && seen->trust == 1.0f; }
 };
 
 struct ShadowItem {
-  glm::dvec3 start{0.0};         // on the surface
-  Ray ray;                       // from a little further along
-  glm::vec3 contribution{0.0f};  // what the light adds if nothing is in the way
-  std::uint32_t diffuse = 0;     // index into the batch's DiffuseItems
+  glm::dvec3 start{0.0};       // on the surface
+  Ray ray;                     // from a little further along
+  glm::vec3 irradiance{0.0f};  // on a surface facing the light, if nothing is in the way
+  std::uint32_t diffuse = 0;   // index into the batch's DiffuseItems
 };
 
 // How much of a light arrives: with everything in the way, and with only what is real in the way
@@ -72,9 +90,11 @@ struct ShadowItem {
 struct ShadowAttenuation {
   glm::vec3 mixed{1.0f};
   glm::vec3 real{1.0f};
+  bool differs() const { return mixed != real; }
 };
 
-// Sums of a diffuse item over the lights.
+// Sums of a diffuse item over the lights: over all of them, or, where only mixed - real will count,
+// over those that virtual objects change.
 struct DiffuseRadiance {
   glm::vec3 mixed{0.0f};
   glm::vec3 real{0.0f};

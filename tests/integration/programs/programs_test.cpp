@@ -11,7 +11,7 @@
 
 #include "codec/jpeg.h"
 #include "codec/picture.h"
-#include "integration/programs/child_process.h"
+#include "support/child_process.h"
 #include "support/test_data.h"
 
 namespace amalgam::tests {

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace amalgam::scene {
 namespace {
@@ -77,6 +79,39 @@ TEST(ToneMap, EncodeRoundsToNearest) {
     const float middle = srgb_decode((static_cast<float>(byte) + 0.5f) / 255.0f);
     EXPECT_EQ(srgb_encode(middle * (1.0f - 1e-5f)), byte);
     EXPECT_EQ(srgb_encode(middle * (1.0f + 1e-5f)), byte + 1);
+  }
+}
+
+// Where each byte begins: the value whose exact encoding is half-way from the byte before.
+std::vector<float> beginnings() {
+  std::vector<float> values;
+  for (int byte = 1; byte < 256; ++byte) {
+    const double encoded = (byte - 0.5) / 255.0;
+    values.push_back(static_cast<float>(
+        encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4)));
+  }
+  return values;
+}
+
+TEST(ToneMap, EncodeIsExactBesideEveryThreshold) {
+  const std::vector<float> begins = beginnings();
+  for (int byte = 1; byte < 256; ++byte) {
+    const float begin = begins[static_cast<std::size_t>(byte) - 1];
+    EXPECT_EQ(srgb_encode(std::nextafter(begin, 0.0f)), byte - 1) << byte;
+    EXPECT_EQ(srgb_encode(begin), byte);
+    EXPECT_EQ(srgb_encode(std::nextafter(begin, 1.0f)), byte);
+  }
+}
+
+// Every 37th float from 0 to beyond 1, denormal ones included: 29 million.
+TEST(ToneMap, EncodeIsExactEverywhere) {
+  const std::vector<float> begins = beginnings();
+  std::size_t byte = 0;
+  const auto last = std::bit_cast<std::uint32_t>(1.5f);
+  for (std::uint32_t bits = 0; bits < last; bits += 37) {
+    const auto x = std::bit_cast<float>(bits);
+    while (byte < begins.size() && x >= begins[byte]) ++byte;
+    ASSERT_EQ(srgb_encode(x), byte) << x;
   }
 }
 

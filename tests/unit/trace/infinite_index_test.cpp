@@ -88,9 +88,11 @@ TEST(InfiniteIndex, CastsAFullShadow) {
   EmbreeScene embree(scene);
   embree.place(anchor_all(scene));
   const float infinity = std::numeric_limits<float>::infinity();
-  EXPECT_EQ(
-      trace_shadow(embree, glm::dvec3(0.1f, 0, 0.2f), {{0.1f, 0, 0.2f}, {0, 1, 0}, infinity}).real,
-      glm::vec3(0.0f));
+  PassedSurfaces surfaces;
+  EXPECT_EQ(trace_shadow(embree, glm::dvec3(0.1f, 0, 0.2f), {{0.1f, 0, 0.2f}, {0, 1, 0}, infinity},
+                         surfaces)
+                .real,
+            glm::vec3(0.0f));
 }
 
 }  // namespace

@@ -10,8 +10,6 @@
 namespace amalgam::trace {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-
 SurfacePoint upward() {
   SurfacePoint point;
   point.geometric_normal = point.shading_normal = {0, 1, 0};
@@ -22,8 +20,7 @@ TEST(Phong, LambertIsAlbedoTimesCosineOverPi) {
   scene::PhongTerms terms;
   terms.albedo = {0.2f, 0.4f, 0.8f};
   const glm::vec3 to_light = glm::normalize(glm::vec3(1, 1, 0));
-  const glm::vec3 out =
-      phong_contribution(terms, upward(), {0, 1, 0}, {to_light, kInfinity, glm::vec3(3.0f)});
+  const glm::vec3 out = phong_contribution(terms, upward(), {0, 1, 0}, to_light, glm::vec3(3.0f));
   EXPECT_NEAR(out.y, 0.4f * 3.0f * std::sqrt(0.5f) / std::numbers::pi_v<float>, 1e-6f);
 }
 
@@ -34,8 +31,7 @@ TEST(Phong, NothingFromBehindEitherNormal) {
   point.shading_normal = glm::normalize(glm::vec3(1.0f, 0.2f, 0.0f));
   const glm::vec3 below =
       glm::normalize(glm::vec3(1.0f, -0.1f, 0.0f));  // seen by the shading normal only
-  EXPECT_EQ(phong_contribution(terms, point, {0, 1, 0}, {below, kInfinity, glm::vec3(1.0f)}),
-            glm::vec3(0.0f));
+  EXPECT_EQ(phong_contribution(terms, point, {0, 1, 0}, below, glm::vec3(1.0f)), glm::vec3(0.0f));
 }
 
 // The lobe gives back no more than it gets: integrated over all views, specular 1 reflects at
@@ -47,7 +43,7 @@ TEST(Phong, SpecularConservesEnergy) {
     terms.exponent = exponent;
     for (const float angle : {0.0f, 0.7f, 1.3f}) {
       const glm::vec3 to_light(std::sin(angle), std::cos(angle), 0.0f);
-      const scene::LightArrival arrival{to_light, kInfinity, glm::vec3(1.0f / std::cos(angle))};
+      const glm::vec3 irradiance(1.0f / std::cos(angle));
       double reflected = 0.0;
       constexpr int kSteps = 400;
       for (int i = 0; i < kSteps; ++i) {
@@ -56,7 +52,7 @@ TEST(Phong, SpecularConservesEnergy) {
           const double phi = (j + 0.5) / kSteps * std::numbers::pi * 2;
           const glm::vec3 view(std::sin(theta) * std::cos(phi), std::cos(theta),
                                std::sin(theta) * std::sin(phi));
-          reflected += double{phong_contribution(terms, upward(), view, arrival).x} *
+          reflected += double{phong_contribution(terms, upward(), view, to_light, irradiance).x} *
                        std::cos(theta) * std::sin(theta);
         }
       }

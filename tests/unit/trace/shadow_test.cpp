@@ -21,7 +21,8 @@ ShadowAttenuation shadow_of(const scene::Scene& scene, const Ray& ray = kUp) {
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i)
     anchored.instances.push_back({i, glm::mat4(1.0f)});
   embree.place(anchored);
-  return trace_shadow(embree, glm::dvec3(ray.origin), ray);
+  PassedSurfaces surfaces;
+  return trace_shadow(embree, glm::dvec3(ray.origin), ray, surfaces);
 }
 
 TEST(Shadow, VirtualOccluderDarkensTheMixedSolutionOnly) {

@@ -31,7 +31,9 @@ ShadowAttenuation shadow_at(const scene::Scene& scene, float x) {
   EmbreeScene embree(scene);
   embree.place(anchor_all(scene));
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  return trace_shadow(embree, glm::dvec3(x, 0.01f, 0.2f), {{x, 0.01f, 0.2f}, {0, 1, 0}, kInfinity});
+  PassedSurfaces surfaces;
+  return trace_shadow(embree, glm::dvec3(x, 0.01f, 0.2f), {{x, 0.01f, 0.2f}, {0, 1, 0}, kInfinity},
+                      surfaces);
 }
 
 void expect_near(const glm::vec3& seen, const glm::vec3& expected, float tolerance = 1e-6f) {

@@ -24,6 +24,7 @@ class ChildProcess {
   std::string read_line(std::chrono::seconds time);
   std::string read_all(std::chrono::seconds time);
   void signal(int number) const;
+  pid_t id() const { return pid_; }
   // The exit code, or -1 if the program did not end in time (then it is killed) or was killed by a
   // signal.
   int wait(std::chrono::seconds time);

@@ -1,0 +1,86 @@
+// Encodes only what changed: a composite as the camera's own JPEG with some of its blocks replaced.
+//
+// A JPEG is a grid of MCUs (minimum coded units: 16x16 pixels for 4:2:0, 16x8 for 4:2:2, 8x8 for
+// 4:4:4 and grey), each some blocks of quantised DCT coefficients. Patching copies the coefficients
+// of every MCU that holds no changed pixel, bit for bit, and encodes the others from the composite
+// with the camera's quantisation tables, so that an untouched pixel does not lose a second time
+// what it lost when the camera's picture was encoded.
+//
+// Bit-equal coefficients are bit-equal pixels, with one exception: decoders smooth the halved
+// chroma of 4:2:0 and 4:2:2 across the borders of MCUs ("fancy upsampling"), so that the outermost
+// pixels of an untouched MCU beside a touched one may change a little when shown.
+//
+// Two halves, because the first needs only the camera's bytes and can run on another thread while
+// the frame is rendered:
+//
+//   std::optional<JpegCoefficients> camera = JpegCoefficients::read(jpeg);    // early, anywhere
+//   ...
+//   std::optional<std::vector<std::byte>> out;
+//   if (camera) out = patch_jpeg(*std::move(camera), composite, tiles);
+//   if (!out) out = encode_jpeg(composite, quality);
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "codec/jpeg.h"
+#include "core/image.h"
+
+namespace amalgam::codec {
+
+struct CameraJpeg;
+
+// A camera JPEG's coefficients, and its Huffman code written anew so that it can be cut; the bytes
+// it came from are not needed any more. 2 bytes for each sample, 24 MiB at the limits of
+// read_jpeg_header(), and about as much as the file.
+class JpegCoefficients {
+ public:
+  // Throws JpegError for what decode_jpeg() refuses, at the first warning too. Empty where the
+  // picture is good but cannot be patched faithfully, so that the whole composite must be encoded:
+  // - its three components are not YCbCr (an Adobe marker or the component names say RGB),
+  // - a quantisation table is missing, used with two contents, or not within 1 and 255,
+  // - a coefficient is larger than an 8-bit picture can have,
+  // - an MCU has more than ten blocks (sampling factors with a common divisor, which need not be).
+  static std::optional<JpegCoefficients> read(std::span<const std::byte> jpeg);
+
+  JpegCoefficients(JpegCoefficients&&) noexcept;
+  JpegCoefficients& operator=(JpegCoefficients&&) noexcept;
+  ~JpegCoefficients();
+
+  const JpegHeader& header() const;
+
+ private:
+  friend std::optional<std::vector<std::byte>> patch_jpeg(JpegCoefficients camera,
+                                                          const core::ImageRgb8& composite,
+                                                          std::span<const std::uint8_t> tiles);
+
+  explicit JpegCoefficients(std::unique_ptr<CameraJpeg> camera);
+
+  std::unique_ptr<CameraJpeg> camera_;
+};
+
+constexpr int kPatchTile = 16;  // pixels a side
+
+// composite: sRGB-encoded, of the camera's size (checked). tiles: a flag for each tile of
+// kPatchTile x kPatchTile pixels, row by row, ceil(width / kPatchTile) in a row; not 0 where a
+// pixel changed. Every MCU that a flagged tile reaches into is encoded from the composite, the
+// others are the camera's. Takes time in proportion to what changed, on all cores of the caller's
+// TBB arena; the bytes do not depend on their number.
+//
+// Empty if a touched MCU of the composite is coloured and the camera's picture is grey.
+//
+// The result is baseline, of one scan, with a restart marker after each 96 pixels or a little more
+// (about 1 % of the bytes): what changed can so be replaced without coding the rest again. An ICC
+// profile is kept and a JFIF header is written (it says YCbCr, as an Adobe marker would); EXIF,
+// comments and everything else are left out, as encode_jpeg() does. Huffman tables are the standard
+// ones: the file's own may lack codes that new coefficients need, and the best ones are known only
+// after a second pass over everything.
+std::optional<std::vector<std::byte>> patch_jpeg(JpegCoefficients camera,
+                                                 const core::ImageRgb8& composite,
+                                                 std::span<const std::uint8_t> tiles);
+
+}  // namespace amalgam::codec

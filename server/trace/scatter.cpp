@@ -1,0 +1,67 @@
+// What all specular surfaces have in common, and the children that they send on.
+#include <algorithm>
+#include <limits>
+
+#include "trace/tile.h"
+
+namespace amalgam::trace {
+namespace {
+
+float importance(const glm::vec3& weight) {
+  return std::max({weight.x, weight.y, weight.z});
+}
+
+}  // namespace
+
+void Tile::scatter(const RayItem& item, const MetSurface& met) {
+  const glm::vec3 glow = met.weight * met.point.emission;
+  samples_[item.sample].mixed += glow;
+  if (met.point.role == scene::Role::Real) samples_[item.sample].real += glow;
+  const glm::dvec3 normal =
+      valid_shading_normal(met.point.geometric_normal, met.point.shading_normal, -item.direction);
+  const scene::Material& material = this->material(met.point.material);
+  if (material.kind == scene::MaterialKind::Mirror) {
+    scatter_mirror(item, met, normal);
+  } else if (material.thin) {
+    scatter_thin(item, met, normal);
+  } else {
+    scatter_solid(item, met, normal);
+  }
+}
+
+// What glass neither reflects nor lets through (its transmission texture) its surface scatters. It
+// is shaded as modelled and never looked up: the camera sees all of the surface there and not this
+// share of it. Where it is rough, all of that share, since it has no mirror image then.
+void Tile::scatter_back(const RayItem& item, const MetSurface& met, float k_s) {
+  const float share = is_rough(met.point) ? 1.0f : 1.0f - k_s;
+  const glm::vec3 scattered = (1.0f - met.point.transmission) * share * met.weight;
+  if (!(importance(scattered) > 0.0f)) return;
+  diffuse_.push_back(
+      {met.point, -glm::vec3(item.direction), scattered, item.sample, RealColor::Modelled});
+}
+
+// A child ray, or its end: beyond the depth limit or below the importance cut-off it takes the
+// environment.
+void Tile::spawn(const RayItem& parent, const MetSurface& met, const glm::dvec3& direction,
+                 const glm::vec3& weight, RayKind kind, const Media& media) {
+  const float share = importance(weight);
+  if (!(share > 0.0f)) return;
+  const bool deep = parent.depth + 1 > request_.settings.max_depth;
+  if (deep || share < request_.settings.importance_cutoff) {
+    escaped_.push_back({core::LightSource::CutOff, glm::vec3(direction), weight, parent.sample});
+    return;
+  }
+  RayItem& child = waiting_.emplace_back();
+  child.start = met.point.position;
+  child.direction = direction;
+  child.ray = {met.point.ray_origin(direction), glm::vec3(direction),
+               std::numeric_limits<float>::infinity()};
+  child.weight = weight;
+  child.media = media;
+  child.path_length = met.path_length;
+  child.sample = parent.sample;
+  child.depth = static_cast<std::uint16_t>(parent.depth + 1);
+  child.kind = kind;
+}
+
+}  // namespace amalgam::trace

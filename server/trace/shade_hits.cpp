@@ -1,0 +1,59 @@
+// Verb: what each hit of the batch does (section 3 of the method).
+#include <glm/exponential.hpp>
+
+#include "trace/tile.h"
+
+namespace amalgam::trace {
+
+void Tile::shade_hits() {
+  for (std::size_t i = 0; i < batch_.size(); ++i) {
+    const RayItem& item = batch_[i];
+    const bool primary = item.kind == RayKind::Primary;
+    if (!hits_[i]) {
+      // Seen directly, nothing is there to draw: the camera image stays.
+      if (!primary)
+        escaped_.push_back(
+            {core::LightSource::Environment, glm::vec3(item.direction), item.weight, item.sample});
+      continue;
+    }
+    const double path_length = item.path_length + hits_[i]->t;
+    MetSurface met{
+        surface_point(request_.scene, *hits_[i], item.direction, sample_spread_ * path_length),
+        item.weight, path_length};
+    const scene::Material& material = this->material(met.point.material);
+    if (material.alpha_cutoff && met.point.base_color.w < *material.alpha_cutoff) {
+      pass_straight(item, met.point);
+      continue;
+    }
+    if (const auto medium = item.media.innermost()) {  // Beer-Lambert on the way here
+      const glm::vec3& absorption = this->material(*medium).absorption;
+      if (absorption != glm::vec3(0.0f))
+        met.weight *= glm::exp(-absorption * static_cast<float>(hits_[i]->t));
+    }
+    if (primary) count_primary(met.point, material);
+    if (met.point.role == scene::Role::Virtual) samples_[item.sample].met_virtual = true;
+    if (scene::is_specular(material.kind)) {
+      scatter(item, met);
+      continue;
+    }
+    if (primary) sees_real_diffuse_[item.sample] = met.point.role == scene::Role::Real ? 1 : 0;
+    // Seen directly it is as the rasteriser draws it, which knows no media.
+    diffuse_.push_back({met.point, -glm::vec3(item.direction), primary ? item.weight : met.weight,
+                        item.sample, primary ? RealColor::UnderPixel : RealColor::LookedUp});
+  }
+}
+
+void Tile::count_primary(const SurfacePoint& point, const scene::Material& material) {
+  if (point.role == scene::Role::Virtual) ++counts_.primary_virtual;
+  if (scene::is_specular(material.kind)) ++counts_.primary_specular;
+}
+
+// Masked-out texels are not there. No surface was met, so the line goes on from where it started,
+// with its depth and weight; each step moves on along it, so this ends.
+void Tile::pass_straight(const RayItem& item, const SurfacePoint& point) {
+  RayItem next = item;
+  next.ray.origin = point.ray_origin(item.direction);
+  waiting_.push_back(next);
+}
+
+}  // namespace amalgam::trace

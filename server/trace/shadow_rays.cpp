@@ -1,0 +1,45 @@
+// Verbs: a shadow ray from each diffuse hit to each light that may reach it, and what it brings.
+#include <glm/geometric.hpp>
+
+#include "trace/shade.h"
+#include "trace/shadow.h"
+#include "trace/tile.h"
+
+namespace amalgam::trace {
+
+void Tile::spawn_shadow_rays() {
+  radiance_.assign(diffuse_.size(), {});
+  for (std::uint32_t d = 0; d < diffuse_.size(); ++d) {
+    const SurfacePoint& point = diffuse_[d].point;
+    // What glows of glass was added where the ray met it.
+    if (!scene::is_specular(material(point.material).kind))
+      radiance_[d] = {point.emission, point.emission};
+    for (const scene::Light& light : request_.lights) {
+      const scene::LightArrival arrival = scene::light_arrival(light, glm::vec3(point.position));
+      if (arrival.irradiance == glm::vec3(0.0f) || !is_lit_from(point, arrival.to_light)) continue;
+      const glm::vec3 origin = point.ray_origin_on_line(glm::dvec3(arrival.to_light));
+      shadows_.push_back(
+          {point.position, {origin, arrival.to_light, arrival.distance}, arrival.irradiance, d});
+    }
+  }
+}
+
+void Tile::trace_shadow_rays() {
+  counts_.rays.shadow += shadows_.size();
+  for (const ShadowItem& shadow : shadows_) {
+    const DiffuseItem& item = diffuse_[shadow.diffuse];
+    const bool only_change = item.only_change_counts();
+    log(shadow.ray, only_change ? Visible::Virtual : Visible::Everything,
+        request_.scene.anything_passes_light() ? RayQuery::All : RayQuery::Any);
+    const auto trace = only_change ? trace_shadow_change : trace_shadow;
+    const ShadowAttenuation attenuation = trace(request_.scene, shadow.start, shadow.ray, passed_);
+    if (only_change && !attenuation.differs()) continue;
+    const scene::PhongTerms terms = phong_terms_at(item.point, material(item.point.material).kind);
+    const glm::vec3 contribution =
+        phong_contribution(terms, item.point, item.view, shadow.ray.direction, shadow.irradiance);
+    radiance_[shadow.diffuse].mixed += contribution * attenuation.mixed;
+    radiance_[shadow.diffuse].real += contribution * attenuation.real;
+  }
+}
+
+}  // namespace amalgam::trace

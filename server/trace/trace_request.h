@@ -1,0 +1,76 @@
+// What the tracer is asked for and what it answers.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/camera_model.h"
+#include "core/image.h"
+#include "core/layers.h"
+#include "core/provenance.h"
+#include "core/ray_counts.h"
+#include "scene/environment.h"
+#include "scene/light.h"
+#include "trace/camera_lookup.h"
+#include "trace/embree_scene.h"
+#include "trace/fresnel.h"
+#include "trace/ray_log.h"
+
+namespace amalgam::trace {
+
+struct TraceSettings {
+  int max_depth = 10;                // specular surfaces that a ray may meet
+  // Share of a sample below which a branch ends: the largest at which the mean difference to the
+  // reference stays below 0.5/255 on each scene.
+  float importance_cutoff = 0.05f;
+  FresnelModel fresnel = FresnelModel::Schlick;
+};
+
+struct TraceRequest {
+  const EmbreeScene& scene;
+  std::span<const scene::Light> lights;
+  const scene::Environment* environment = nullptr;  // null: nothing is black
+  core::CameraModel camera;                         // pinhole; primary rays go through its pixels
+  glm::dmat4 camera_from_world{1.0};
+  int samples_per_side =
+      1;  // n: sample (i, j) of pixel (x, y) lies at x - 0.5 + (i + 0.5) / n, y likewise
+
+  // Size camera * n; a sample is traced where (value & mask_bit) != 0. Null: every sample is.
+  const core::Image<std::uint8_t>* mask = nullptr;
+  std::uint8_t mask_bit = 0;
+  // By tile (core/tile_grid.h), the mask's flags of all its samples or-ed together: tiles without
+  // the bit are passed over unread. Null: every tile is read.
+  const std::vector<std::uint8_t>* tile_flags = nullptr;
+
+  // Null: real surfaces are seen as they are modelled.
+  const CameraView* lookup = nullptr;
+  float exposure = 1.0f;
+  TraceSettings settings;
+  bool keep_images = false;
+  bool keep_provenance = false;
+  RayLog* ray_log = nullptr;  // filled if given
+};
+
+// The buffers of the thesis, from the first sample of each traced pixel; 0 elsewhere.
+struct TracedImages {
+  core::ImageRgb32f mixed;  // I_m, scene-linear
+  core::ImageRgba32f
+      real;  // I_r, scene-linear; alpha 1 where the camera sees a real diffuse surface directly
+  core::ImageRgb32f environment_reflection;  // I_e, display-linear
+  core::Image<std::uint8_t> met_virtual;     // M_v
+};
+
+struct TraceResult {
+  core::Layers layers;  // traced samples' share of each pixel; the rest is the rasteriser's
+  core::RayCounts rays;
+  std::uint64_t nonfinite = 0;  // sample values replaced by 0
+  std::uint64_t traced_samples = 0;
+  std::uint64_t primary_virtual = 0,
+                primary_specular = 0;  // traced samples whose first surface is so
+  std::optional<TracedImages> images;
+  std::optional<core::ProvenanceImage> provenance;  // of the traced samples
+};
+
+}  // namespace amalgam::trace

@@ -1,0 +1,35 @@
+// Measures Amalgam for rows of Table 6.1: times at the row's own size, errors at a smaller one.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "bench/bench_case.h"
+#include "bench/thesis_result.h"
+#include "frame/renderer_settings.h"
+
+namespace amalgam::bench {
+
+class ThesisMeter {
+ public:
+  explicit ThesisMeter(const BenchScenes& scenes) : scenes_(scenes) {}
+
+  // Rows that differ only in what Amalgam does not tell apart are measured once.
+  ThesisResult measure(const ThesisRow& row);
+
+ private:
+  struct Figures {
+    double frames_per_second = 0.0;
+    double error = 0.0;
+  };
+
+  const Figures& figures(const ThesisRow& row, const std::string& samples);
+  double error(const ThesisRow& row, const std::string& samples);
+
+  const BenchScenes& scenes_;
+  std::map<std::string, Figures> figures_;
+  std::map<std::string, core::ImageRgb8> references_;
+};
+
+}  // namespace amalgam::bench

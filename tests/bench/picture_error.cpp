@@ -1,0 +1,43 @@
+#include "bench/picture_error.h"
+
+#include <cstdlib>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/quality/qualityssim.hpp>
+#include <stdexcept>
+
+namespace amalgam::bench {
+namespace {
+
+cv::Mat as_grey(const core::ImageRgb8& image) {
+  // OpenCV takes no constant data; it is not written to.
+  auto* bytes = const_cast<core::Rgb8*>(image.data());
+  const cv::Mat rgb(image.height(), image.width(), CV_8UC3, bytes);
+  cv::Mat grey;
+  cv::cvtColor(rgb, grey, cv::COLOR_RGB2GRAY);
+  return grey;
+}
+
+void check_sizes(const core::ImageRgb8& a, const core::ImageRgb8& b) {
+  if (a.size() != b.size() || a.empty()) {
+    throw std::invalid_argument("pictures of different sizes cannot be compared");
+  }
+}
+
+}  // namespace
+
+double mean_difference(const core::ImageRgb8& a, const core::ImageRgb8& b) {
+  check_sizes(a, b);
+  const auto first = a.pixels(), second = b.pixels();
+  std::int64_t sum = 0;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    for (int c = 0; c < 3; ++c) sum += std::abs(int{first[i][c]} - int{second[i][c]});
+  }
+  return static_cast<double>(sum) / (3.0 * static_cast<double>(first.size()));
+}
+
+double ssim(const core::ImageRgb8& a, const core::ImageRgb8& b) {
+  check_sizes(a, b);
+  return cv::quality::QualitySSIM::compute(as_grey(a), as_grey(b), cv::noArray())[0];
+}
+
+}  // namespace amalgam::bench
