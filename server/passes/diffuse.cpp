@@ -23,6 +23,20 @@ GLuint bind_shadow_maps(const graph::Access& access, const ShadowMapOutputs& sha
   return present;
 }
 
+void bind_tile_lights(const ShadingInputs& in, const Shading& shading) {
+  const core::TileGrid grid({in.view.ideal.width, in.view.ideal.height});
+  if (!in.raster.targets.tile_lights || in.raster.targets.tile_lights->size() != grid.tiles()) {
+    in.raster.targets.tile_lights.emplace(gl::TextureFormat::R8ui, grid.tiles());
+  }
+  gl::Texture& texture = *in.raster.targets.tile_lights;
+  if (shading.lights != nullptr) {
+    texture.upload(shading.lights->data());
+  } else {
+    texture.upload(std::vector<LightSet>(grid.count()).data());
+  }
+  texture.bind(gl::kTileLightsUnit);
+}
+
 const gl::SurfaceProgram& programs_for(const RasterContext& raster,
                                        const std::vector<scene::Light>& lights, scene::Role role) {
   const bool few_suns = lights.size() <= gl::kFewSuns &&
@@ -58,26 +72,28 @@ void draw_diffuse(const DiffuseInputs& in, const graph::Access& access, const gl
   const gl::Framebuffer framebuffer({.colors = {&mixed, &real}, .depth = mask.depth});
   gl::apply({.depth = gl::PipelineState::Depth::EqualReads});
   framebuffer.bind();
-  draw_shaded({in.raster, in.device_view, in.mask, in.shadows}, access, 1, true);
+  draw_shaded({in.raster, in.view, in.device_view, in.mask, in.shadows}, access,
+              {.lights = &access.get(in.reached).lights});
   glFinish();  // or this pass's time would be charged to whoever waits for the GPU next
 }
 
 }  // namespace
 
-void draw_shaded(const ShadingInputs& in, const graph::Access& access, int mask_step,
-                 bool virtual_too) {
+void draw_shaded(const ShadingInputs& in, const graph::Access& access, const Shading& shading) {
   const DeviceLights& lights = *access.get(in.shadows.lights);
   access.get(in.mask.device).flags->bind(gl::kMaskUnit);
   lights.lights.bind_uniform(gl::kLightsBinding);
   const auto light_count = static_cast<GLuint>(lights.layout.lights.size());
   const GLuint present = bind_shadow_maps(access, in.shadows);
+  bind_tile_lights(in, shading);
   for (const scene::Role role : {scene::Role::Real, scene::Role::Virtual}) {
-    if (role == scene::Role::Virtual && !virtual_too) continue;
+    if (role == scene::Role::Virtual && !shading.virtual_surfaces) continue;
     const gl::SurfaceProgram& programs = programs_for(in.raster, lights.layout.lights, role);
     const auto tell = [&](const gl::ShaderProgram& program) {
       program.set(gl::kLightCountLocation, light_count);
       program.set(gl::kShadowMapsPresentLocation, present);
-      program.set(gl::kMaskStepLocation, mask_step);
+      program.set(gl::kMaskStepLocation, shading.mask_step);
+      program.set(gl::kSamplesOfTileLocation, core::kTileSide * in.view.samples_per_side);
     };
     tell(programs.plain);
     if (programs.detailed) tell(*programs.detailed);

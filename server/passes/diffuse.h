@@ -35,16 +35,23 @@ struct DiffuseOutputs {
 
 struct ShadingInputs {
   const RasterContext& raster;
+  const RenderView& view;
   graph::Handle<DeviceView> device_view;
   MaskOutputs mask;
   ShadowMapOutputs shadows;
 };
 
+// lights: by tile of the ideal image; null: nothing virtual casts shadows. mask_step: fragment (x,
+// y) belongs to sample (x step + step / 2, y step + step / 2) of the mask.
+struct Shading {
+  const std::vector<LightSet>* lights = nullptr;
+  int mask_step = 1;
+  bool virtual_surfaces = true;
+};
+
 // Draws both solutions of the diffuse surfaces into the framebuffer that is bound, for a pass that
-// has declared these inputs. Fragment (x, y) belongs to sample (x step + step / 2, y step + step /
-// 2) of the mask.
-void draw_shaded(const ShadingInputs& in, const graph::Access& access, int mask_step,
-                 bool virtual_too);
+// has declared these inputs.
+void draw_shaded(const ShadingInputs& in, const graph::Access& access, const Shading& shading);
 
 DiffuseOutputs add_diffuse_pass(graph::FrameGraph& graph, const DiffuseInputs& in);
 

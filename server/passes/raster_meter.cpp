@@ -28,7 +28,8 @@ core::ImageRgba32f draw_grid(const RasterMeterInputs& in, const graph::Access& a
   const float shift = 0.5f - (static_cast<float>(step / 2) + 0.5f) / static_cast<float>(step);
   glViewportIndexedf(0, shift, shift, static_cast<float>(samples.x) / static_cast<float>(step),
                      static_cast<float>(samples.y) / static_cast<float>(step));
-  draw_shaded({in.raster, in.device_view, in.mask, in.shadows}, access, step, false);
+  draw_shaded({in.raster, in.view, in.device_view, in.mask, in.shadows}, access,
+              {.mask_step = step, .virtual_surfaces = false});
   return read_rgba(&real);
 }
 
