@@ -94,7 +94,8 @@ void add_hybrid_passes(graph::FrameGraph& graph, const SceneResources& resources
     graph.note_left_out("trace", "no specular object in the scene");
     return;
   }
-  frame.virtual_shadows = passes::add_shadow_bound_pass(graph, shadows);
+  if (request.settings.leave_out_tiles)
+    frame.virtual_shadows = passes::add_shadow_bound_pass(graph, shadows);
   frame.real_depth =
       passes::add_real_depth_pass(graph, {raster, view, device_view, frame.mask.specular}).depth;
   frame.traced = passes::add_trace_pass(graph, trace_inputs(resources, request, frame));
