@@ -41,9 +41,6 @@ struct TraceRequest {
   // Size camera * n; a sample is traced where (value & mask_bit) != 0. Null: every sample is.
   const core::Image<std::uint8_t>* mask = nullptr;
   std::uint8_t mask_bit = 0;
-  // By tile (core/tile_grid.h), the mask's flags of all its samples or-ed together: tiles without
-  // the bit are passed over unread. Null: every tile is read.
-  const std::vector<std::uint8_t>* tile_flags = nullptr;
 
   // Null: shadow rays are all the answer there is.
   const ShadowBound* virtual_shadows = nullptr;
