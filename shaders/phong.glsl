@@ -9,6 +9,9 @@ struct LightArrival {
 };
 
 LightArrival light_arrival(Light light, vec3 point) {
+#if FEW_SUNS
+  return LightArrival(light.to_light, light.intensity);
+#else
   if (light.kind == 0u) return LightArrival(light.to_light, light.intensity);
   vec3 offset = light.position - point;
   const float kMinDistance = 1e-4;
@@ -25,6 +28,7 @@ LightArrival light_arrival(Light light, vec3 point) {
     window *= cone * cone;
   }
   return LightArrival(to_light, light.intensity * (window / (d * d)));
+#endif
 }
 
 struct PhongTerms {

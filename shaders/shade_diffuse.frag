@@ -14,10 +14,79 @@ layout(binding = 1) uniform usampler2D mask_flags;
 layout(location = 1) uniform uint light_count;
 layout(location = 3) uniform int mask_step;  // samples from one fragment to the next
 
+// Of each tile: bit i for light i, if something virtual may take of its light there.
+layout(binding = 6) uniform usampler2D tile_lights;
+layout(location = 4) uniform int samples_of_tile;  // fragments a side
+
 layout(location = 0) out vec4 mixed_image;
 layout(location = 1) out vec4 real_image;
 
 const uint kVirtual = 1u;
+
+struct DiffusePoint {
+  PhongTerms terms;
+  Normals normals;
+  vec3 view;
+};
+
+// Adds what a light gives if virtual objects let `added` of it through.
+void add_light(Light light, DiffusePoint point, vec3 added, inout vec3 mixed, inout vec3 real) {
+  LightArrival arrival = light_arrival(light, world_position);
+  float cosine = dot(point.normals.shading, arrival.to_light);
+  if (!(cosine > 0.0) || !(dot(point.normals.geometric, arrival.to_light) > 0.0)) return;
+  vec3 attenuation = real_attenuation(
+      shadow_lookup(light, world_position, point.normals.geometric, arrival.to_light));
+  vec3 contribution = phong_contribution(point.terms, point.normals.shading, point.view, arrival,
+                                         cosine);
+  precise vec3 mixed_sum = mixed + contribution * (attenuation * added);
+  precise vec3 real_sum = real + contribution * attenuation;
+  mixed = mixed_sum;
+  real = real_sum;
+}
+
+vec3 added_attenuation(Light light, vec3 geometric_normal) {
+  return virtual_attenuation(shadow_lookup(light, world_position, geometric_normal,
+                                           light_arrival(light, world_position).to_light));
+}
+
+#if FEW_SUNS
+// At most eight lights, all of them directional. What virtual objects let through is asked for in a
+// loop over those lights alone that a virtual caster's shadow may come from in this tile: software GL
+// leaves nothing out in an `if`, but it does leave loops. All else is written out light by light: with
+// an index that the compiler knows, it reads each light once for all fragments. What is beyond the
+// light count has no direction, and so adds nothing.
+void add_lights(DiffusePoint point, inout vec3 mixed, inout vec3 real) {
+  uint waiting = texelFetch(tile_lights, ivec2(gl_FragCoord.xy) / samples_of_tile, 0).r;
+  vec3 a0 = vec3(1.0), a1 = a0, a2 = a0, a3 = a0, a4 = a0, a5 = a0, a6 = a0, a7 = a0;
+  do {
+    uint i = waiting == 0u ? 8u : uint(findLSB(waiting));
+    vec3 added = added_attenuation(lights[i], point.normals.geometric);
+    a0 = i == 0u ? added : a0;
+    a1 = i == 1u ? added : a1;
+    a2 = i == 2u ? added : a2;
+    a3 = i == 3u ? added : a3;
+    a4 = i == 4u ? added : a4;
+    a5 = i == 5u ? added : a5;
+    a6 = i == 6u ? added : a6;
+    a7 = i == 7u ? added : a7;
+    waiting &= waiting - 1u;
+  } while (waiting != 0u);
+  add_light(lights[0], point, a0, mixed, real);
+  add_light(lights[1], point, a1, mixed, real);
+  add_light(lights[2], point, a2, mixed, real);
+  add_light(lights[3], point, a3, mixed, real);
+  add_light(lights[4], point, a4, mixed, real);
+  add_light(lights[5], point, a5, mixed, real);
+  add_light(lights[6], point, a6, mixed, real);
+  add_light(lights[7], point, a7, mixed, real);
+}
+#else
+void add_lights(DiffusePoint point, inout vec3 mixed, inout vec3 real) {
+  for (uint i = 0u; i < light_count; ++i) {
+    add_light(lights[i], point, added_attenuation(lights[i], point.normals.geometric), mixed, real);
+  }
+}
+#endif
 
 void main() {
   // Of coincident surfaces the mask pass chose one; another kind must not show through.
@@ -32,22 +101,11 @@ void main() {
     normals.geometric = -normals.geometric;
     normals.shading = -normals.shading;
   }
-  PhongTerms terms = phong_terms(color.rgb, metallic_roughness());
-
-  vec3 glow = emission();
-  precise vec3 mixed = glow;
-  precise vec3 real = glow;
-  for (uint i = 0u; i < light_count; ++i) {
-    Light light = lights[i];
-    LightArrival arrival = light_arrival(light, world_position);
-    float cosine = dot(normals.shading, arrival.to_light);
-    if (!(cosine > 0.0) || !(dot(normals.geometric, arrival.to_light) > 0.0)) continue;
-    vec4 lookup = shadow_lookup(light, world_position, normals.geometric, arrival.to_light);
-    Attenuation attenuation = shadow_attenuation(lookup);
-    vec3 contribution = phong_contribution(terms, normals.shading, view, arrival, cosine);
-    mixed += contribution * attenuation.mixed;
-    real += contribution * attenuation.real;
-  }
+  DiffusePoint point =
+      DiffusePoint(phong_terms(color.rgb, metallic_roughness()), normals, view);
+  vec3 mixed = emission();
+  vec3 real = mixed;
+  add_lights(point, mixed, real);
   bool is_virtual = (surface_flags & kVirtual) != 0u;
   mixed_image = vec4(mixed, is_virtual ? 1.0 : 0.0);
   real_image = is_virtual ? vec4(0.0) : vec4(real, 1.0);

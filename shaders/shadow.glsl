@@ -102,26 +102,28 @@ vec3 glass_attenuation(sampler2DArray map, vec4 lookup) {
   return top + f.y * (bottom - top);
 }
 
-struct Attenuation {
-  vec3 mixed;  // by everything
-  vec3 real;   // by real objects only
-};
-
-// Products: without a virtual shadow, mixed equals real to the last bit.
-Attenuation shadow_attenuation(vec4 lookup) {
-  vec3 real = vec3(1.0), added = vec3(1.0);
-#if HAS_REAL_OPAQUE
+// IS_LONE_PLANE: the surface is flat and the only real opaque one, and so in no real one's shadow.
+vec3 real_attenuation(vec4 lookup) {
+  vec3 real = vec3(1.0);
+#if HAS_REAL_OPAQUE && !IS_LONE_PLANE
   if ((shadow_maps_present & 1u) != 0u) real *= opaque_attenuation(real_opaque_map, lookup);
 #endif
 #if HAS_REAL_GLASS
   if ((shadow_maps_present & 4u) != 0u) real *= glass_attenuation(real_glass_map, lookup);
 #endif
+  return real;
+}
+
+// What virtual objects take besides. The mixed image's attenuation is the product of both: without a
+// virtual shadow it equals the real one to the last bit.
+vec3 virtual_attenuation(vec4 lookup) {
+  vec3 added = vec3(1.0);
 #if HAS_VIRTUAL_OPAQUE
   if ((shadow_maps_present & 2u) != 0u) added *= opaque_attenuation(virtual_opaque_map, lookup);
 #endif
 #if HAS_VIRTUAL_GLASS
   if ((shadow_maps_present & 8u) != 0u) added *= glass_attenuation(virtual_glass_map, lookup);
 #endif
-  return Attenuation(real * added, real);
+  return added;
 }
 #endif

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 
+#include "frame/nothing_in_view.h"
 #include "passes/effect.h"
 #include "passes/merge.h"
 #include "passes/raster_meter.h"
 #include "passes/reached_tiles.h"
 #include "passes/real_depth.h"
 #include "passes/resolve.h"
+#include "passes/shadow_bound.h"
 #include "passes/upload_view.h"
 #include "passes/warp.h"
 
@@ -16,7 +18,8 @@ namespace {
 
 // Why this frame cannot show anything virtual, whatever the camera sees; nothing if it might.
 std::optional<std::string> reason_for_nothing(const SceneResources& resources,
-                                              const passes::RenderView& view) {
+                                              const FrameRequest& request) {
+  const passes::RenderView& view = request.render_view;
   if (!resources.features.has_virtual) return "no virtual object in the scene";
   const auto& instances = view.scene.instances;
   const bool any_virtual =
@@ -24,6 +27,10 @@ std::optional<std::string> reason_for_nothing(const SceneResources& resources,
         return resources.scene.instances[anchored.instance].role == scene::Role::Virtual;
       });
   if (!any_virtual) return "no pose of a marker that a virtual object stands on";
+  // Whoever wants the buffers wants to see them empty.
+  if (!request.keep_buffers &&
+      nothing_virtual_in_view(resources.scene, resources.mesh_bounds, view))
+    return "nothing virtual in view";
   return std::nullopt;
 }
 
@@ -45,12 +52,14 @@ passes::TraceInputs trace_inputs(const SceneResources& resources, const FrameReq
           .settings = request.settings.trace,
           .keep_images = request.keep_buffers,
           .keep_provenance = request.keep_buffers || request.view.options.keep_provenance,
+          .ray_log = request.settings.ray_log,
           .specular = frame.mask.specular,
           .mask = frame.mask.mask,
           .scene = frame.placed,
           .camera_image = frame.camera_image,
           .exposure = frame.exposure,
-          .real_depth = frame.real_depth};
+          .real_depth = frame.real_depth,
+          .virtual_shadows = frame.virtual_shadows};
 }
 
 // Rasterise what is diffuse, trace what is specular.
@@ -85,6 +94,8 @@ void add_hybrid_passes(graph::FrameGraph& graph, const SceneResources& resources
     graph.note_left_out("trace", "no specular object in the scene");
     return;
   }
+  if (request.settings.leave_out_tiles)
+    frame.virtual_shadows = passes::add_shadow_bound_pass(graph, shadows);
   frame.real_depth =
       passes::add_real_depth_pass(graph, {raster, view, device_view, frame.mask.specular}).depth;
   frame.traced = passes::add_trace_pass(graph, trace_inputs(resources, request, frame));
@@ -130,9 +141,12 @@ void add_refinement(graph::FrameGraph& graph, const SceneResources& resources,
 FramePasses add_frame_passes(graph::FrameGraph& graph, const SceneResources& resources,
                              const FrameRequest& request) {
   FramePasses frame;
-  const auto nothing = reason_for_nothing(resources, request.render_view);
-  frame.camera_image =
-      passes::add_decode_pass(graph, request.input.image, request.render_view.camera);
+  const auto nothing = reason_for_nothing(resources, request);
+  const bool wants_own_quality = request.view.options.jpeg_quality != 0;
+  const auto decoded = passes::add_decode_pass(graph, {.image = request.input.image,
+                                                       .camera = request.render_view.camera,
+                                                       .keep_coefficients = !wants_own_quality});
+  frame.camera_image = decoded.camera_image;
   if (resources.embree != nullptr) {
     frame.placed = passes::add_place_instances_pass(graph, request.render_view, *resources.embree);
   } else {
@@ -156,13 +170,14 @@ FramePasses add_frame_passes(graph::FrameGraph& graph, const SceneResources& res
   } else {
     graph.note_left_out("warp", "the lens does not distort");
   }
-  const bool wants_own_quality = request.view.options.jpeg_quality != 0;
   frame.composite = passes::add_composite_pass(graph, {.layers = layers,
                                                        .camera_image = frame.camera_image,
                                                        .even_if_unchanged = wants_own_quality});
   frame.encoded = passes::add_encode_pass(
-      graph, frame.composite,
-      wants_own_quality ? request.view.options.jpeg_quality : request.settings.jpeg_quality);
+      graph, {.composite = frame.composite,
+              .coefficients = decoded.coefficients,
+              .quality = wants_own_quality ? request.view.options.jpeg_quality
+                                           : request.settings.jpeg_quality});
   return frame;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 
 #include "frame/frame.h"
@@ -16,6 +17,7 @@
 #include "passes/refine.h"
 #include "passes/shadow_maps.h"
 #include "passes/trace.h"
+#include "scene/bounds.h"
 #include "scene/features.h"
 
 namespace amalgam::frame {
@@ -24,6 +26,7 @@ namespace amalgam::frame {
 struct SceneResources {
   const scene::Scene& scene;
   const scene::SceneFeatures& features;
+  std::span<const scene::Bounds> mesh_bounds;
   trace::EmbreeScene* embree = nullptr;           // null: nothing of the scene is ever traced
   const passes::RasterContext* raster = nullptr;  // null: nothing is rasterised
   passes::ShadowCache* shadows = nullptr;         // goes with raster
@@ -45,6 +48,7 @@ struct FramePasses {
   passes::MaskOutputs mask;
   passes::DiffuseOutputs diffuse;
   graph::Handle<passes::RealDepth> real_depth;
+  graph::Handle<passes::VirtualShadows> virtual_shadows;
   graph::Handle<passes::Layers> rasterised;
   graph::Handle<std::uint64_t> rasterised_nonfinite;
   graph::Handle<trace::TraceResult> traced;

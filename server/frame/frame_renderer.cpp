@@ -85,6 +85,7 @@ class FrameRenderer::Impl {
       : settings_(settings),
         scene_(scene_variant(std::move(scene), settings.mode)),
         features_(scene::scene_features(scene_)),
+        mesh_bounds_(scene::mesh_bounds(scene_)),
         arena_(rendering_threads(settings)),
         owner_(std::this_thread::get_id()) {
     check_settings(settings);
@@ -125,6 +126,7 @@ class FrameRenderer::Impl {
     const SceneResources resources{
         .scene = scene_,
         .features = features_,
+        .mesh_bounds = mesh_bounds_,
         .embree = embree_ ? &*embree_ : nullptr,
         .raster = raster_ ? &raster_->passes : nullptr,
         .shadows = raster_ ? &raster_->shadows : nullptr,
@@ -211,6 +213,7 @@ class FrameRenderer::Impl {
   RendererSettings settings_;
   scene::Scene scene_;
   scene::SceneFeatures features_;
+  std::vector<scene::Bounds> mesh_bounds_;  // by Scene::meshes
   bool environment_changed_ = true;
   std::vector<scene::Light> environment_lights_;
   std::optional<trace::EmbreeScene> embree_;

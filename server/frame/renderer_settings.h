@@ -35,9 +35,10 @@ struct RendererSettings {
   bool leave_out_tiles = true;
   trace::TraceSettings trace;
   scene::EnvLightOptions env_lights;
-  std::optional<float> exposure;  // none: metered on the real surfaces in view
-  int threads = 0;                // for tracing; 0: all cores
-  int jpeg_quality = 90;          // 1..100, where a client wants the default
+  std::optional<float> exposure;     // none: metered on the real surfaces in view
+  trace::RayLog* ray_log = nullptr;  // for measuring: collects what the tracer asks of Embree
+  int threads = 0;                   // for rendering; 0: all cores that the process may use
+  int jpeg_quality = 90;             // 1..100, where a client wants the default
   // (0, 1]: virtual things are rendered in so many pixels for each of the camera's, on each axis,
   // and scaled up. The camera image keeps all of its own.
   float render_scale = 1.0f;

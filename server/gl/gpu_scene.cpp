@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <span>
 
@@ -36,6 +37,22 @@ std::optional<Buffer> upload_second_uv_areas(const scene::Mesh& mesh) {
     areas.push_back(scene::uv_area_ratio(mesh, mesh.second_uvs, triangle));
   }
   return Buffer::of(std::span<const float>(areas));
+}
+
+// All vertices in one plane, to a few roundings of their coordinates.
+bool is_flat(const scene::Mesh& mesh) {
+  if (mesh.triangles.empty()) return true;
+  const glm::uvec3& triangle = mesh.triangles.front();
+  const glm::dvec3 a(mesh.positions[triangle.x]), b(mesh.positions[triangle.y]),
+      c(mesh.positions[triangle.z]);
+  const glm::dvec3 normal = glm::normalize(glm::cross(b - a, c - a));
+  double extent = 0.0, off = 0.0;
+  for (const glm::vec3& position : mesh.positions) {
+    const glm::dvec3 way = glm::dvec3(position) - a;
+    extent = std::max({extent, glm::length(way), glm::length(glm::dvec3(position))});
+    off = std::max(off, std::abs(glm::dot(way, normal)));
+  }
+  return off <= 1e-6 * extent;
 }
 
 GpuMesh upload_mesh(const scene::Mesh& mesh) {
@@ -134,6 +151,8 @@ Buffer upload_srgb_table() {
 
 SceneFeatures find_features(const scene::Scene& scene) {
   SceneFeatures features;
+  int real_opaque = 0;
+  bool all_flat = true;
   for (const scene::Instance& instance : scene.instances) {
     const scene::Material& material = scene.materials[instance.material];
     const scene::Mesh& mesh = scene.meshes[instance.mesh];
@@ -143,13 +162,19 @@ SceneFeatures find_features(const scene::Scene& scene) {
     features.vertex_colors = features.vertex_colors || !mesh.colors.empty();
     const bool real = instance.role == scene::Role::Real;
     const bool glass = material.kind == scene::MaterialKind::Dielectric;
+    if (real && !glass) {
+      ++real_opaque;
+      all_flat = all_flat && is_flat(mesh);
+    }
     (glass ? (real ? features.real_glass : features.virtual_glass)
            : (real ? features.real_opaque : features.virtual_opaque)) = true;
   }
+  features.lone_real_plane = real_opaque == 1 && all_flat;
   return features;
 }
 
-GpuScene::GpuScene(const scene::Scene& scene) : srgb_table_(upload_srgb_table()) {
+GpuScene::GpuScene(const scene::Scene& scene)
+    : features_(find_features(scene)), srgb_table_(upload_srgb_table()) {
   for (const scene::Mesh& mesh : scene.meshes) meshes_.push_back(upload_mesh(mesh));
   for (const scene::Texture& texture : scene.textures) textures_.push_back(upload_texture(texture));
   for (const scene::Material& material : scene.materials) {

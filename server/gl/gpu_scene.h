@@ -42,6 +42,7 @@ struct SceneFeatures {
   bool vertex_colors = false;
   bool real_opaque = false, virtual_opaque = false;  // casters of shadows
   bool real_glass = false, virtual_glass = false;
+  bool lone_real_plane = false;  // one flat instance is all that is real and opaque
 
   bool has_texture(scene::TextureSlot slot) const {
     return (textures >> static_cast<unsigned>(slot) & 1u) != 0;
@@ -58,6 +59,7 @@ class GpuScene {
   const std::vector<GpuInstanceInfo>& instances() const { return instances_; }
 
   const std::vector<GpuMaterial>& materials() const { return materials_; }
+  const SceneFeatures& features() const { return features_; }
 
   // Binds the table that reads textures: the sRGB curve.
   void bind_tables() const;
@@ -70,6 +72,7 @@ class GpuScene {
   std::vector<Texture> textures_;  // RGBA8UI, encoded as in the file
   std::vector<std::array<std::optional<std::uint32_t>, scene::kTextureSlots>> textures_of_material_;
   std::vector<GpuMaterial> materials_;
+  SceneFeatures features_;
   Buffer srgb_table_;
 };
 

@@ -30,6 +30,7 @@ constexpr unsigned kSecondUvAreasBinding = 1;
 constexpr unsigned kBaseColorUnit = 0;
 constexpr unsigned kMaskUnit = 1;
 constexpr unsigned kShadowMapUnit = 2;  // and the next three, in the order of CasterClass
+constexpr unsigned kTileLightsUnit = 6;
 constexpr unsigned kMetallicRoughnessUnit = 8;
 constexpr unsigned kEmissiveUnit = 9;
 constexpr unsigned kTransmissionUnit = 10;
@@ -42,9 +43,11 @@ constexpr unsigned kSecondUvAttribute = 5;
 constexpr int kLightCountLocation = 1;
 constexpr int kShadowMapsPresentLocation = 2;  // bit i: the map of CasterClass i is bound
 constexpr int kMaskStepLocation = 3;
+constexpr int kSamplesOfTileLocation = 4;
 
 // As many as 64 KiB hold, the size of a uniform block on every desktop driver.
 constexpr std::size_t kMaxLights = 512;
+constexpr std::size_t kFewSuns = 8;  // directional lights that shade_diffuse.frag takes one by one
 
 // The coarsest alignment that a driver may ask of a range in a uniform buffer.
 constexpr std::size_t kRangeAlignment = 256;

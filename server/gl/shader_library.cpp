@@ -31,10 +31,10 @@ std::string detail_defines(const SceneFeatures& features) {
 }
 
 SurfaceProgram surface_program(std::string_view fragment_file, SeenFrom from,
-                               const SceneFeatures& features) {
+                               const SceneFeatures& features, const std::string& shading = {}) {
   const bool camera = from == SeenFrom::Camera;
   const std::string_view vertex_file = camera ? "draw_surface.vert" : "draw_caster.vert";
-  const std::string common = caster_defines(features) + define("FROM_CAMERA", camera);
+  const std::string common = caster_defines(features) + define("FROM_CAMERA", camera) + shading;
   SurfaceProgram program{
       ShaderProgram(vertex_file, fragment_file, common + detail_defines(SceneFeatures())), {}};
   if (features.has_details()) {
@@ -47,7 +47,13 @@ SurfaceProgram surface_program(std::string_view fragment_file, SeenFrom from,
 
 ShaderLibrary::ShaderLibrary(const SceneFeatures& features)
     : write_mask(surface_program("write_mask.frag", SeenFrom::Camera, features)),
-      shade_diffuse(surface_program("shade_diffuse.frag", SeenFrom::Camera, features)),
+      shade_diffuse(surface_program("shade_diffuse.frag", SeenFrom::Camera, features,
+                                    define("FEW_SUNS", false) + define("IS_LONE_PLANE", false))),
+      shade_under_few_suns(
+          surface_program("shade_diffuse.frag", SeenFrom::Camera, features,
+                          define("FEW_SUNS", true) + define("IS_LONE_PLANE", false))),
+      shade_lone_plane(surface_program("shade_diffuse.frag", SeenFrom::Camera, features,
+                                       define("FEW_SUNS", true) + define("IS_LONE_PLANE", true))),
       draw_depth(surface_program("draw_depth.frag", SeenFrom::Camera, features)),
       draw_caster(surface_program("draw_depth.frag", SeenFrom::Light, features)),
       accumulate_glass(surface_program("accumulate_glass.frag", SeenFrom::Light, features)) {}

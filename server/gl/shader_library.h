@@ -21,7 +21,11 @@ struct ShaderLibrary {
   explicit ShaderLibrary(const SceneFeatures& features);
 
   SurfaceProgram write_mask;
+  // Both solutions of diffuse surfaces under any lights; under at most kFewSuns directional ones;
+  // and under those of a lone real plane (SceneFeatures).
   SurfaceProgram shade_diffuse;
+  SurfaceProgram shade_under_few_suns;
+  SurfaceProgram shade_lone_plane;
   SurfaceProgram draw_depth;        // from the camera
   SurfaceProgram draw_caster;       // depth from a light
   SurfaceProgram accumulate_glass;  // optical depth from a light

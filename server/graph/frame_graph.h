@@ -14,6 +14,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <typeindex>
 #include <utility>
 #include <vector>
@@ -240,7 +241,11 @@ const T* Access::find(Handle<T> handle) const {
 template <typename T>
 T Access::take(Handle<T> handle) const {
   const T& value = get(handle);
-  if (graph_.is_read_later(handle.index_)) return value;
+  if constexpr (std::is_copy_constructible_v<T>) {
+    if (graph_.is_read_later(handle.index_)) return value;
+  } else {
+    AMALGAM_CHECK(!graph_.is_read_later(handle.index_), "taken before its last reader");
+  }
   return std::move(const_cast<T&>(value));  // stored as non-const (FrameGraph::store)
 }
 

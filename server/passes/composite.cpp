@@ -46,8 +46,12 @@ graph::Handle<Composite> add_composite_pass(graph::FrameGraph& graph, const Comp
   builder.runs([in, out](const graph::Access& access) {
     core::ImageRgb8 image = access.take(in.camera_image).pixels;
     const Layers* layers = access.find(in.layers);
-    access.set(out, Composite{layers != nullptr ? composite(*layers, std::move(image))
-                                                : std::move(image)});
+    std::vector<std::uint8_t> changed(core::TileGrid(image.size()).count());
+    if (layers != nullptr) {
+      for (const std::size_t tile : layers->present()) changed[tile] = 1;
+      image = composite(*layers, std::move(image));
+    }
+    access.set(out, Composite{std::move(image), std::move(changed)});
   });
   return out;
 }

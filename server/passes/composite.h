@@ -1,6 +1,9 @@
 // Virtual onto real: I_f = A + (1 - a) I_c + D (eq. 4.5 in layers), in display-linear light.
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "core/image.h"
 #include "core/layers.h"
 #include "graph/frame_graph.h"
@@ -15,6 +18,7 @@ core::ImageRgb8 composite(const core::Layers& layers, core::ImageRgb8 camera_ima
 
 struct Composite {
   core::ImageRgb8 pixels;
+  std::vector<std::uint8_t> changed;  // by tile (core/tile_grid.h): 0 where the camera's bytes are
 };
 
 struct CompositeInputs {

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "codec/jpeg_patch.h"
 #include "core/camera_model.h"
 #include "core/image.h"
 #include "graph/frame_graph.h"
@@ -19,9 +20,22 @@ struct CameraImage {
   core::ImageRgb8 pixels;
 };
 
-// Throws codec::JpegError if the bytes cannot be decoded or do not have the camera's size. Borrows
-// image.
-graph::Handle<CameraImage> add_decode_pass(graph::FrameGraph& graph, const EncodedOrPixels& image,
-                                           const core::CameraModel& camera);
+// The camera's JPEG ready to be patched (codec/jpeg_patch.h).
+using CameraCoefficients = codec::JpegCoefficients;
+
+struct DecodeInputs {
+  const EncodedOrPixels& image;  // borrowed
+  const core::CameraModel& camera;
+  bool keep_coefficients = false;  // the composite will be a patch of the camera's JPEG
+};
+
+struct DecodeOutputs {
+  graph::Handle<CameraImage> camera_image;
+  // Absent: not asked for, no JPEG, or one that cannot be patched.
+  graph::Handle<CameraCoefficients> coefficients;
+};
+
+// Throws codec::JpegError if the bytes cannot be decoded or do not have the camera's size.
+DecodeOutputs add_decode_pass(graph::FrameGraph& graph, const DecodeInputs& in);
 
 }  // namespace amalgam::passes

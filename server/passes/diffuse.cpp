@@ -1,5 +1,7 @@
 #include "passes/diffuse.h"
 
+#include <algorithm>
+
 #include "gl/framebuffer.h"
 #include "gl/pipeline_state.h"
 #include "gl/shader_interface.h"
@@ -19,6 +21,31 @@ GLuint bind_shadow_maps(const graph::Access& access, const ShadowMapOutputs& sha
     present |= 1u << i;
   }
   return present;
+}
+
+void bind_tile_lights(const ShadingInputs& in, const Shading& shading) {
+  const core::TileGrid grid({in.view.ideal.width, in.view.ideal.height});
+  if (!in.raster.targets.tile_lights || in.raster.targets.tile_lights->size() != grid.tiles()) {
+    in.raster.targets.tile_lights.emplace(gl::TextureFormat::R8ui, grid.tiles());
+  }
+  gl::Texture& texture = *in.raster.targets.tile_lights;
+  if (shading.lights != nullptr) {
+    texture.upload(shading.lights->data());
+  } else {
+    texture.upload(std::vector<LightSet>(grid.count()).data());
+  }
+  texture.bind(gl::kTileLightsUnit);
+}
+
+const gl::SurfaceProgram& programs_for(const RasterContext& raster,
+                                       const std::vector<scene::Light>& lights, scene::Role role) {
+  const bool few_suns = lights.size() <= gl::kFewSuns &&
+                        std::all_of(lights.begin(), lights.end(), [](const scene::Light& light) {
+                          return light.kind == scene::Light::Kind::Directional;
+                        });
+  if (!few_suns) return raster.shaders.shade_diffuse;
+  const bool plane = role == scene::Role::Real && raster.scene.features().lone_real_plane;
+  return plane ? raster.shaders.shade_lone_plane : raster.shaders.shade_under_few_suns;
 }
 
 // Makes ready what is drawn into: colours are cleared in the reached tiles, and depth is put out of
@@ -45,36 +72,36 @@ void draw_diffuse(const DiffuseInputs& in, const graph::Access& access, const gl
   const gl::Framebuffer framebuffer({.colors = {&mixed, &real}, .depth = mask.depth});
   gl::apply({.depth = gl::PipelineState::Depth::EqualReads});
   framebuffer.bind();
-  tell_mask_step(in.raster, 1);
-  mask.flags->bind(gl::kMaskUnit);
-  bind_lights(in.raster, in.shadows, access);
-  draw_items(in.raster, access.get(in.device_view), in.raster.shaders.shade_diffuse,
-             TextureUse::Color,
-             [](const DrawItem& item) { return !scene::is_specular(item.kind); });
+  draw_shaded({in.raster, in.view, in.device_view, in.mask, in.shadows}, access,
+              {.lights = &access.get(in.reached).lights});
   glFinish();  // or this pass's time would be charged to whoever waits for the GPU next
 }
 
 }  // namespace
 
-void tell_mask_step(const RasterContext& raster, int step) {
-  raster.shaders.shade_diffuse.plain.set(gl::kMaskStepLocation, step);
-  if (raster.shaders.shade_diffuse.detailed) {
-    raster.shaders.shade_diffuse.detailed->set(gl::kMaskStepLocation, step);
-  }
-}
-
-void bind_lights(const RasterContext& raster, const ShadowMapOutputs& shadows,
-                 const graph::Access& access) {
-  const DeviceLights& lights = *access.get(shadows.lights);
+void draw_shaded(const ShadingInputs& in, const graph::Access& access, const Shading& shading) {
+  const DeviceLights& lights = *access.get(in.shadows.lights);
+  access.get(in.mask.device).flags->bind(gl::kMaskUnit);
   lights.lights.bind_uniform(gl::kLightsBinding);
-  const auto count = static_cast<GLuint>(lights.layout.lights.size());
-  const GLuint present = bind_shadow_maps(access, shadows);
-  const auto tell = [&](const gl::ShaderProgram& program) {
-    program.set(gl::kLightCountLocation, count);
-    program.set(gl::kShadowMapsPresentLocation, present);
-  };
-  tell(raster.shaders.shade_diffuse.plain);
-  if (raster.shaders.shade_diffuse.detailed) tell(*raster.shaders.shade_diffuse.detailed);
+  const auto light_count = static_cast<GLuint>(lights.layout.lights.size());
+  const GLuint present = bind_shadow_maps(access, in.shadows);
+  bind_tile_lights(in, shading);
+  for (const scene::Role role : {scene::Role::Real, scene::Role::Virtual}) {
+    if (role == scene::Role::Virtual && !shading.virtual_surfaces) continue;
+    const gl::SurfaceProgram& programs = programs_for(in.raster, lights.layout.lights, role);
+    const auto tell = [&](const gl::ShaderProgram& program) {
+      program.set(gl::kLightCountLocation, light_count);
+      program.set(gl::kShadowMapsPresentLocation, present);
+      program.set(gl::kMaskStepLocation, shading.mask_step);
+      program.set(gl::kSamplesOfTileLocation, core::kTileSide * in.view.samples_per_side);
+    };
+    tell(programs.plain);
+    if (programs.detailed) tell(*programs.detailed);
+    draw_items(in.raster, access.get(in.device_view), programs, TextureUse::Color,
+               [role](const DrawItem& item) {
+                 return item.role == role && !scene::is_specular(item.kind);
+               });
+  }
 }
 
 DiffuseOutputs add_diffuse_pass(graph::FrameGraph& graph, const DiffuseInputs& in) {

@@ -33,13 +33,25 @@ struct DiffuseOutputs {
   graph::Handle<DeviceImage> real;  // I_r = r on real surfaces, 0 on virtual ones; alpha: 1 on real
 };
 
-// Binds lights and shadow maps for a program of ShaderLibrary::shade_diffuse to read.
-void bind_lights(const RasterContext& raster, const ShadowMapOutputs& shadows,
-                 const graph::Access& access);
+struct ShadingInputs {
+  const RasterContext& raster;
+  const RenderView& view;
+  graph::Handle<DeviceView> device_view;
+  MaskOutputs mask;
+  ShadowMapOutputs shadows;
+};
 
-// The program's fragment (x, y) belongs to sample (x step + step / 2, y step + step / 2) of the
-// mask.
-void tell_mask_step(const RasterContext& raster, int step);
+// lights: by tile of the ideal image; null: nothing virtual casts shadows. mask_step: fragment (x,
+// y) belongs to sample (x step + step / 2, y step + step / 2) of the mask.
+struct Shading {
+  const std::vector<LightSet>* lights = nullptr;
+  int mask_step = 1;
+  bool virtual_surfaces = true;
+};
+
+// Draws both solutions of the diffuse surfaces into the framebuffer that is bound, for a pass that
+// has declared these inputs.
+void draw_shaded(const ShadingInputs& in, const graph::Access& access, const Shading& shading);
 
 DiffuseOutputs add_diffuse_pass(graph::FrameGraph& graph, const DiffuseInputs& in);
 

@@ -6,6 +6,7 @@
 
 #include "graph/frame_graph.h"
 #include "passes/composite.h"
+#include "passes/decode.h"
 
 namespace amalgam::passes {
 
@@ -13,8 +14,14 @@ struct EncodedImage {
   std::vector<std::byte> jpeg;
 };
 
-// quality: 1 to 100.
-graph::Handle<EncodedImage> add_encode_pass(graph::FrameGraph& graph,
-                                            graph::Handle<Composite> composite, int quality);
+struct EncodeInputs {
+  graph::Handle<Composite> composite;
+  // May be absent; otherwise the composite becomes a patch of the camera's JPEG: blocks without a
+  // change keep the camera's coefficients bit for bit, and the others take its quality.
+  graph::Handle<CameraCoefficients> coefficients;
+  int quality = 90;  // 1 to 100, where all of the composite is encoded
+};
+
+graph::Handle<EncodedImage> add_encode_pass(graph::FrameGraph& graph, const EncodeInputs& in);
 
 }  // namespace amalgam::passes

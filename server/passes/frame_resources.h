@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "core/camera_model.h"
@@ -9,6 +10,7 @@
 #include "core/layers.h"
 #include "scene/anchored_scene.h"
 #include "scene/light.h"
+#include "trace/shadow_bound.h"
 
 namespace amalgam::gl {
 class Texture;
@@ -57,6 +59,9 @@ struct SpecularSamples {
 struct DiffuseSamples {
   std::uint64_t count = 0;
 };
+
+// What the tracer asks before a shadow ray.
+using VirtualShadows = std::shared_ptr<const trace::ShadowBound>;
 
 // Layers in the ideal camera's geometry, one value a pixel.
 using Layers = core::Layers;

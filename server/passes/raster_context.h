@@ -34,6 +34,7 @@ struct RasterTargets {
   std::optional<gl::Texture> mask_flags;   // R8UI, bits of SampleMask
   std::optional<gl::Texture> depth;        // 32F, reversed: near / z, 0 is infinitely far
   std::optional<gl::Texture> mixed, real;  // RGBA32F, I_m and I_r (see diffuse.h)
+  std::optional<gl::Texture> tile_lights;  // R8UI, one texel a tile: LightSet (reached_tiles.h)
   // One texel an ideal pixel.
   std::optional<gl::Texture> real_depth;  // 32F, reversed
   // One texel an entry of the exposure meter's grid.

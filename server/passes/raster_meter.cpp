@@ -28,13 +28,8 @@ core::ImageRgba32f draw_grid(const RasterMeterInputs& in, const graph::Access& a
   const float shift = 0.5f - (static_cast<float>(step / 2) + 0.5f) / static_cast<float>(step);
   glViewportIndexedf(0, shift, shift, static_cast<float>(samples.x) / static_cast<float>(step),
                      static_cast<float>(samples.y) / static_cast<float>(step));
-  access.get(in.mask.device).flags->bind(gl::kMaskUnit);
-  tell_mask_step(in.raster, step);
-  bind_lights(in.raster, in.shadows, access);
-  draw_items(in.raster, access.get(in.device_view), in.raster.shaders.shade_diffuse,
-             TextureUse::Color, [](const DrawItem& item) {
-               return item.role == scene::Role::Real && !scene::is_specular(item.kind);
-             });
+  draw_shaded({in.raster, in.view, in.device_view, in.mask, in.shadows}, access,
+              {.mask_step = step, .virtual_surfaces = false});
   return read_rgba(&real);
 }
 

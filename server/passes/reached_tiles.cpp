@@ -18,6 +18,7 @@ namespace {
 // A layer of the shadow maps as the camera's points are seen through it.
 struct LayerView {
   std::size_t layer = 0;
+  LightSet light = 0;
   bool perspective = false;
   glm::dmat4 clip_from_camera{1.0};
   double texel = 0.0;     // side of a texel, metres (perspective: at 1 m)
@@ -28,7 +29,10 @@ std::vector<LayerView> layers_with_casters(const RenderView& view, const ShadowL
                                            std::span<const CasterCells* const> casters) {
   const glm::dmat4 world_from_camera = core::rigid_inverse(view.scene.camera_from_world);
   std::vector<LayerView> layers;
-  for (const gl::GpuLight& light : layout.gpu_lights) {
+  const bool few = layout.gpu_lights.size() <= gl::kFewSuns;
+  for (std::size_t l = 0; l < layout.gpu_lights.size(); ++l) {
+    const gl::GpuLight& light = layout.gpu_lights[l];
+    const auto light_bit = static_cast<LightSet>(few ? 1u << l : kAllLights);
     for (std::size_t i = 0; i < light.layer_count; ++i) {
       const std::size_t layer = light.first_layer + i;
       if (std::all_of(casters.begin(), casters.end(),
@@ -36,8 +40,8 @@ std::vector<LayerView> layers_with_casters(const RenderView& view, const ShadowL
         continue;
       }
       const glm::dmat4 clip(layout.layers[layer].clip_from_world);
-      LayerView seen{layer, layout.layers[layer].perspective != 0, clip * world_from_camera,
-                     static_cast<double>(light.texel)};
+      LayerView seen{layer, light_bit, layout.layers[layer].perspective != 0,
+                     clip * world_from_camera, static_cast<double>(light.texel)};
       for (int row = 0; row < 4; ++row) {
         seen.slope[row] = glm::length(glm::dvec3(clip[0][row], clip[1][row], clip[2][row]));
       }
@@ -159,7 +163,8 @@ std::vector<DepthRange> depth_ranges(const SampleMask& mask, const core::Image32
 }
 
 ReachedTiles all_tiles(const SampleMask& mask) {
-  ReachedTiles reached{std::vector<std::size_t>(mask.tiles.size())};
+  ReachedTiles reached{std::vector<std::size_t>(mask.tiles.size()),
+                       std::vector<LightSet>(mask.tiles.size(), kAllLights)};
   std::iota(reached.tiles.begin(), reached.tiles.end(), std::size_t{0});
   return reached;
 }
@@ -172,7 +177,7 @@ ReachedTiles find_reached_tiles(const ReachedTilesInputs& in, const graph::Acces
     const ShadowMap* map = access.find(in.shadows.maps[static_cast<std::size_t>(caster)]);
     if (map != nullptr) casters.push_back(map->cells.get());
   }
-  std::vector<std::uint8_t> shadowed(mask.tiles.size());
+  std::vector<LightSet> shadowed(mask.tiles.size());
   if (!casters.empty()) {
     const gl::Texture& device = *access.get(in.mask.device).depth;
     core::Image32f& depth = in.raster.targets.depth_here;
@@ -184,31 +189,35 @@ ReachedTiles find_reached_tiles(const ReachedTilesInputs& in, const graph::Acces
   ReachedTiles reached;
   for (std::size_t tile = 0; tile < mask.tiles.size(); ++tile) {
     const bool shows_virtual = (mask.tiles[tile] & SampleMask::kAnyVirtualDiffuse) != 0;
-    if (shows_virtual || shadowed[tile] != 0) reached.tiles.push_back(tile);
+    // A virtual surface may lie in the shadow of any other.
+    if (shows_virtual) shadowed[tile] = kAllLights;
+    if (shadowed[tile] != 0) reached.tiles.push_back(tile);
   }
+  reached.lights = std::move(shadowed);
   return reached;
 }
 
 }  // namespace
 
-std::vector<std::uint8_t> tiles_in_shadow(const RenderView& view, const ShadowLayout& layout,
-                                          std::span<const CasterCells* const> casters,
-                                          std::span<const DepthRange> depths) {
+std::vector<LightSet> tiles_in_shadow(const RenderView& view, const ShadowLayout& layout,
+                                      std::span<const CasterCells* const> casters,
+                                      std::span<const DepthRange> depths) {
   const core::TileGrid grid({view.ideal.width, view.ideal.height});
   const std::vector<LayerView> layers = layers_with_casters(view, layout, casters);
   const bool tests = layers.size() <= kMostLayersTested;
-  std::vector<std::uint8_t> shadowed(grid.count());
+  std::vector<LightSet> shadowed(grid.count());
   tbb::parallel_for(std::size_t{0}, grid.count(), [&](std::size_t tile) {
     if (depths[tile].is_empty() || layers.empty()) return;
     if (!tests || !std::isfinite(depths[tile].farthest)) {
-      shadowed[tile] = 1;
+      shadowed[tile] = kAllLights;
       return;
     }
     const auto piece =
         corners(view.ideal, grid.first_pixel(tile), grid.end_pixel(tile), depths[tile]);
-    shadowed[tile] = std::any_of(layers.begin(), layers.end(), [&](const LayerView& layer) {
-      return is_in_shadow(layer, piece, layout.size, casters);
-    });
+    for (const LayerView& layer : layers) {
+      if ((shadowed[tile] & layer.light) == layer.light) continue;
+      if (is_in_shadow(layer, piece, layout.size, casters)) shadowed[tile] |= layer.light;
+    }
   });
   return shadowed;
 }

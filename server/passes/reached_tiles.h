@@ -29,14 +29,20 @@ struct DepthRange {
 // with more takes every tile with a real surface for reached.
 constexpr std::size_t kMostLayersTested = 96;
 
-// For each tile: 1 if a shadow of the casters may fall on something between the depths.
-std::vector<std::uint8_t> tiles_in_shadow(const RenderView& view, const ShadowLayout& layout,
-                                          std::span<const CasterCells* const> casters,
-                                          std::span<const DepthRange> depths);
+// Lights as bits; all bits where there are more than eight lights.
+using LightSet = std::uint8_t;
+constexpr LightSet kAllLights = 0xFF;
+
+// For each tile the lights by which a shadow of the casters may fall on something between the
+// depths.
+std::vector<LightSet> tiles_in_shadow(const RenderView& view, const ShadowLayout& layout,
+                                      std::span<const CasterCells* const> casters,
+                                      std::span<const DepthRange> depths);
 
 // Tiles of the ideal image, ascending.
 struct ReachedTiles {
   std::vector<std::size_t> tiles;
+  std::vector<LightSet> lights;  // of all tiles of the ideal image
 };
 
 struct ReachedTilesInputs {

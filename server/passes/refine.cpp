@@ -72,6 +72,7 @@ RefineOutputs add_refine_pass(graph::FrameGraph& graph, const RefineInputs& in) 
   builder.needs(in.trace.camera_image);
   builder.needs(in.trace.exposure);
   builder.uses(in.trace.real_depth);
+  builder.uses(in.trace.virtual_shadows);
   const RefineOutputs out{builder.writes<Layers>("refined layers"),
                           builder.writes<Refinement>("refinement")};
   builder.runs([in, out](const graph::Access& access) {

@@ -24,6 +24,7 @@ graph::Handle<PlacedScene> add_place_instances_pass(graph::FrameGraph& graph,
 trace::TraceResult trace_samples(const TraceInputs& in, const graph::Access& access,
                                  const TracedSamples& samples) {
   const RealDepth* real_depth = access.find(in.real_depth);
+  const VirtualShadows* virtual_shadows = access.find(in.virtual_shadows);
   const trace::CameraView lookup{
       .camera = in.view.camera,
       .camera_from_world = in.view.scene.camera_from_world,
@@ -41,11 +42,13 @@ trace::TraceResult trace_samples(const TraceInputs& in, const graph::Access& acc
       .samples_per_side = samples.per_side,
       .mask = samples.flags,
       .mask_bit = samples.bit,
+      .virtual_shadows = virtual_shadows != nullptr ? virtual_shadows->get() : nullptr,
       .lookup = &lookup,
       .exposure = access.get(in.exposure),
       .settings = in.settings,
       .keep_images = in.keep_images,
       .keep_provenance = in.keep_provenance,
+      .ray_log = in.ray_log,
   });
 }
 
@@ -57,6 +60,7 @@ graph::Handle<trace::TraceResult> add_trace_pass(graph::FrameGraph& graph, const
   builder.needs(in.exposure);
   builder.uses(in.mask);
   builder.uses(in.real_depth);
+  builder.uses(in.virtual_shadows);
   const auto out = builder.writes<trace::TraceResult>("traced layers");
   builder.runs([in, out](const graph::Access& access) {
     const SampleMask* mask = access.find(in.mask);

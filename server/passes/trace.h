@@ -28,12 +28,14 @@ struct TraceInputs {
   trace::TraceSettings settings;
   bool keep_images = false;
   bool keep_provenance = false;
+  trace::RayLog* ray_log = nullptr;
   graph::Handle<SpecularSamples> specular;
   graph::Handle<SampleMask> mask;  // may be absent: every sample is traced
   graph::Handle<PlacedScene> scene;
   graph::Handle<CameraImage> camera_image;
   graph::Handle<float> exposure;
-  graph::Handle<RealDepth> real_depth;  // may be absent: look-ups then ask by rays
+  graph::Handle<RealDepth> real_depth;            // may be absent: look-ups then ask by rays
+  graph::Handle<VirtualShadows> virtual_shadows;  // may be absent: every shadow is asked by rays
 };
 
 graph::Handle<trace::TraceResult> add_trace_pass(graph::FrameGraph& graph, const TraceInputs& in);

@@ -14,8 +14,12 @@ void Tile::spawn_shadow_rays() {
     // What glows of glass was added where the ray met it.
     if (!scene::is_specular(material(point.material).kind))
       radiance_[d] = {point.emission, point.emission};
-    for (const scene::Light& light : request_.lights) {
-      const scene::LightArrival arrival = scene::light_arrival(light, glm::vec3(point.position));
+    const ShadowBound* bound =
+        diffuse_[d].only_change_counts() ? request_.virtual_shadows : nullptr;
+    const glm::vec3 position(point.position);
+    for (std::size_t light = 0; light < request_.lights.size(); ++light) {
+      if (bound != nullptr && !bound->may_be_shaded(light, position)) continue;
+      const scene::LightArrival arrival = scene::light_arrival(request_.lights[light], position);
       if (arrival.irradiance == glm::vec3(0.0f) || !is_lit_from(point, arrival.to_light)) continue;
       const glm::vec3 origin = point.ray_origin_on_line(glm::dvec3(arrival.to_light));
       shadows_.push_back(

@@ -25,17 +25,6 @@ TraceResult empty_result(const TraceRequest& request) {
   return result;
 }
 
-// Tiles that may hold samples to trace, ascending.
-std::vector<std::size_t> tiles_to_trace(const TraceRequest& request, const core::TileGrid& grid) {
-  std::vector<std::size_t> tiles;
-  for (std::size_t tile = 0; tile < grid.count(); ++tile) {
-    const bool wanted = request.mask == nullptr || request.tile_flags == nullptr ||
-                        ((*request.tile_flags)[tile] & request.mask_bit) != 0;
-    if (wanted) tiles.push_back(tile);
-  }
-  return tiles;
-}
-
 void add(TraceResult& result, const TileCounts& tile) {
   result.rays += tile.rays;
   result.nonfinite += tile.nonfinite;
@@ -55,13 +44,13 @@ TraceResult trace(const TraceRequest& request) {
                             media_at(request.scene, glm::vec3(world_from_camera[3])),
                             world_from_camera};
 
-  const std::vector<std::size_t> tiles = tiles_to_trace(request, result.layers.grid());
-  std::vector<TileCounts> counts(tiles.size());
-  std::vector<std::vector<LoggedRay>> logged(request.ray_log != nullptr ? tiles.size() : 0);
+  const std::size_t tiles = result.layers.grid().count();
+  std::vector<TileCounts> counts(tiles);
+  std::vector<std::vector<LoggedRay>> logged(request.ray_log != nullptr ? tiles : 0);
   tbb::enumerable_thread_specific<Tile> workers([&] { return Tile(context); });
-  tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t i) {
+  tbb::parallel_for(std::size_t{0}, tiles, [&](std::size_t i) {
     Tile& tile = workers.local();
-    tile.start(tiles[i]);
+    tile.start(i);
     tile.trace();
     tile.resolve(result);
     counts[i] = tile.counts();

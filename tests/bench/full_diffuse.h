@@ -6,6 +6,6 @@
 
 namespace amalgam::bench {
 
-frame::RendererSettings with_full_diffuse_pass(const frame::RendererSettings& settings);
+frame::RendererSettings with_full_diffuse_pass(frame::RendererSettings settings);
 
 }  // namespace amalgam::bench

@@ -14,6 +14,7 @@ namespace amalgam::bench {
 namespace {
 
 constexpr std::size_t kChunk = 256;
+const RTCSceneFlags kSceneFlags = RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION;
 
 template <typename Handle, void (*release)(Handle*)>
 struct Release {
@@ -37,7 +38,7 @@ SceneHandle build_mesh(RTCDevice device, const scene::Mesh& mesh) {
   fill_buffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, mesh.triangles);
   rtcCommitGeometry(geometry.get());
   SceneHandle built(rtcNewScene(device));
-  rtcSetSceneFlags(built.get(), RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneFlags(built.get(), kSceneFlags);
   rtcSetSceneBuildQuality(built.get(), RTC_BUILD_QUALITY_HIGH);
   rtcAttachGeometry(built.get(), geometry.get());
   rtcCommitScene(built.get());
@@ -60,7 +61,7 @@ Replay::Replay(const scene::Scene& scene, const scene::AnchoredScene& anchored)
   RTCDevice device = impl_->device.get();
   for (const scene::Mesh& mesh : scene.meshes) impl_->meshes.push_back(build_mesh(device, mesh));
   impl_->top.reset(rtcNewScene(device));
-  rtcSetSceneFlags(impl_->top.get(), RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_DYNAMIC);
+  rtcSetSceneFlags(impl_->top.get(), kSceneFlags | RTC_SCENE_FLAG_DYNAMIC);
   for (const scene::AnchoredInstance& placed : anchored.instances) {
     const scene::Instance& instance = scene.instances[placed.instance];
     const Geometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE));

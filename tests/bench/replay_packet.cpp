@@ -6,6 +6,7 @@ namespace amalgam::bench {
 namespace {
 
 using trace::LoggedRay;
+using trace::RayQuery;
 
 constexpr std::size_t kWidth = 8;
 constexpr std::uint32_t kNone = RTC_INVALID_GEOMETRY_ID;
@@ -41,12 +42,32 @@ void put(RTCRay8& packet, std::size_t lane, const LoggedRay& logged) {
   packet.mask[lane] = static_cast<unsigned>(logged.visible);
 }
 
+struct CountingContext {
+  RTCIntersectContext embree;  // first: Embree knows only this part
+  std::size_t surfaces = 0;
+};
+
 // Indices of rays that are answered by one call.
 struct Lanes {
   std::array<std::size_t, kWidth> ray{};
   std::size_t count = 0;
   bool full() const { return count == kWidth; }
 };
+
+// What EmbreeScene::find_all does with each surface, but for writing it down.
+void go_on(const RTCFilterFunctionNArguments* arguments) {
+  auto* context = reinterpret_cast<CountingContext*>(arguments->context);
+  ++context->surfaces;
+  arguments->valid[0] = 0;
+}
+
+ReplayAnswer answer_all(RTCScene scene, const LoggedRay& logged) {
+  CountingContext context{make_context()};
+  context.embree.filter = go_on;
+  RTCRay ray = to_embree(logged);
+  rtcOccluded1(scene, &context.embree, &ray);
+  return context.surfaces > 0 ? kAnyHit : ReplayAnswer{};
+}
 
 void answer_nearest(RTCScene scene, std::span<const LoggedRay> rays, Lanes& lanes,
                     std::span<ReplayAnswer> answers) {
@@ -89,7 +110,9 @@ void answer_one_by_one(RTCScene scene, std::span<const LoggedRay> rays,
                        std::span<ReplayAnswer> answers) {
   RTCIntersectContext context = make_context();
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    if (rays[i].any_hit) {
+    if (rays[i].query == RayQuery::All) {
+      answers[i] = answer_all(scene, rays[i]);
+    } else if (rays[i].query == RayQuery::Any) {
       RTCRay ray = to_embree(rays[i]);
       rtcOccluded1(scene, &context, &ray);
       answers[i] = ray.tfar < 0.0f ? kAnyHit : ReplayAnswer{};
@@ -108,7 +131,11 @@ void answer_by_eight(RTCScene scene, std::span<const LoggedRay> rays,
                      std::span<ReplayAnswer> answers) {
   Lanes nearest, any;
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    Lanes& lanes = rays[i].any_hit ? any : nearest;
+    if (rays[i].query == RayQuery::All) {  // these have no common front that a packet could use
+      answers[i] = answer_all(scene, rays[i]);
+      continue;
+    }
+    Lanes& lanes = rays[i].query == RayQuery::Any ? any : nearest;
     lanes.ray[lanes.count++] = i;
     if (nearest.full()) answer_nearest(scene, rays, nearest, answers);
     if (any.full()) answer_any(scene, rays, any, answers);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 #include "bench/bench_case.h"
 #include "bench/camera_rays.h"
@@ -25,14 +26,17 @@ BenchCase make_case() {
   return result;
 }
 
-// Every third ray only asks whether there is a hit, every fifth sees real objects only.
+// Rays that ask for the nearest hit, for any and for all by turns; every fifth sees real objects
+// only.
 std::vector<trace::LoggedRay> make_rays(const BenchCase& bench_case,
                                         const glm::dmat4& camera_from_world) {
   std::vector<trace::LoggedRay> rays;
   for (const trace::Ray& ray : camera_rays(bench_case.camera, camera_from_world)) {
     const std::size_t i = rays.size();
-    rays.push_back(
-        {ray, i % 5 == 0 ? trace::Visible::Real : trace::Visible::Everything, i % 3 == 0});
+    constexpr std::array kQueries{trace::RayQuery::Nearest, trace::RayQuery::Any,
+                                  trace::RayQuery::All};
+    rays.push_back({ray, i % 5 == 0 ? trace::Visible::Real : trace::Visible::Everything,
+                    kQueries[i % kQueries.size()]});
   }
   return rays;
 }
@@ -45,7 +49,7 @@ TEST(Replay, MeetsWhatTheTracersSceneMeets) {
   scene.place(anchored);
   std::vector<ReplayAnswer> expected;
   for (const trace::LoggedRay& logged : rays) {
-    if (logged.any_hit) {
+    if (logged.query != trace::RayQuery::Nearest) {
       expected.push_back(scene.is_occluded(logged.ray, logged.visible) ? ReplayAnswer{0, 0}
                                                                        : ReplayAnswer{});
       continue;

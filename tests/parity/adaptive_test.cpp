@@ -31,14 +31,14 @@ LayerImages layers_of(const Rendering& rendering) {
 }
 
 double layer_error(const LayerImages& actual, const reference::Layers& expected, int x, int y) {
-  const Vec4 over(actual.over(x, y)), wanted = expected.over.at(x, y);
+  const Vec4 over(actual.over.at(x, y)), wanted = expected.over.at(x, y);
   return std::max(
       {reference::relative_error(Color(over), Color(wanted)), std::abs(over.a - wanted.a),
-       reference::relative_error(Color(actual.difference(x, y)), expected.difference.at(x, y))});
+       reference::relative_error(Color(actual.difference.at(x, y)), expected.difference.at(x, y))});
 }
 
 bool is_same_pixel(const LayerImages& a, const LayerImages& b, int x, int y) {
-  return a.over(x, y) == b.over(x, y) && a.difference(x, y) == b.difference(x, y);
+  return a.over.at(x, y) == b.over.at(x, y) && a.difference.at(x, y) == b.difference.at(x, y);
 }
 
 struct Counts {

@@ -97,7 +97,7 @@ reference::ReferenceRequest make_reference_request(const ParityCase& parity_case
   request.camera_image = &parity_case.camera_image;
   request.exposure = static_cast<double>(parity_case.exposure);
   request.settings.max_depth = parity_case.max_depth;
-  request.settings.importance_cutoff = static_cast<double>(0.004f);
+  request.settings.importance_cutoff = static_cast<double>(parity_case.importance_cutoff);
   request.samples_per_side = parity_case.samples_per_side;
   if (parity_case.exact_fresnel) request.settings.fresnel = reference::Fresnel::Exact;
   return request;

@@ -24,6 +24,8 @@ struct ParityCase {
   int samples_per_side = 1;
   bool exact_fresnel = false;
   int max_depth = 10;
+  // Below the renderer's default, so that more of the tracer is compared.
+  float importance_cutoff = 0.004f;
 };
 
 // Of deploy/scenes.

@@ -13,6 +13,7 @@ frame::RendererSettings settings_of(const ParityCase& parity_case,
   settings.exposure = parity_case.exposure;
   settings.samples_per_pixel = parity_case.samples_per_side * parity_case.samples_per_side;
   settings.trace.max_depth = parity_case.max_depth;
+  settings.trace.importance_cutoff = parity_case.importance_cutoff;
   if (parity_case.exact_fresnel) settings.trace.fresnel = trace::FresnelModel::Exact;
   return settings;
 }

@@ -46,13 +46,12 @@ Outcome measure_trace_threads(GoalBench& bench) {
 
 Outcome measure_trace_replay(GoalBench& bench) {
   const BenchCase bunny = bench.scenes().glass_bunny(1280, 1024);
-  const std::optional<trace::RayLog> log = record_rays(bunny);
-  if (!log) return NotMeasured{"the tracer does not record its rays yet"};
-  if (log->rays.empty()) throw std::runtime_error("the tracer recorded no rays");
+  const trace::RayLog log = record_rays(bunny);
+  if (log.rays.empty()) throw std::runtime_error("the tracer recorded no rays");
   const Replay replay(bunny.scene, scene::anchor_scene(bunny.scene, bunny.input.poses));
-  std::vector<ReplayAnswer> singles(log->rays.size()), packets(log->rays.size());
+  std::vector<ReplayAnswer> singles(log.rays.size()), packets(log.rays.size());
   const auto run = [&](ReplayCall call) {
-    return milliseconds_of(replay, log->rays, call, bench.cores(),
+    return milliseconds_of(replay, log.rays, call, bench.cores(),
                            call == ReplayCall::OneByOne ? singles : packets);
   };
   run(ReplayCall::OneByOne);
@@ -71,7 +70,7 @@ Outcome measure_trace_replay(GoalBench& bench) {
   const Ratio ratio = measure_by_turns(
       {}, [&] { return trace_milliseconds(rig); }, fastest);
   return to_measurement(
-      ratio, bunny.name + ": " + describe(ratio) + ", " + std::to_string(log->rays.size() / 1000) +
+      ratio, bunny.name + ": " + describe(ratio) + ", " + std::to_string(log.rays.size() / 1000) +
                  " k rays; least one by one " + std::to_string(std::lround(least_single)) +
                  " ms, by eight " + std::to_string(std::lround(least_packet)) + " ms" +
                  (same_hits ? "" : " with other hits, not counted"));

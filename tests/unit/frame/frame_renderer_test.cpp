@@ -105,7 +105,7 @@ TEST(FrameRenderer, OutOfSightIsOutOfTheFrame) {
   EXPECT_EQ(output.jpeg, std::get<Bytes>(input.image));
   EXPECT_FALSE(pass(output, "decode").ran);
   EXPECT_FALSE(pass(output, "composite").ran);
-  EXPECT_EQ(pass(output, "encode").reason, "nothing virtual has an effect on this frame");
+  EXPECT_EQ(pass(output, "encode").reason, "nothing virtual in view");
 }
 
 TEST(FrameRenderer, AnotherQualityIsEncodedEvenIfNothingChanged) {

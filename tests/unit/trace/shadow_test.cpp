@@ -64,6 +64,59 @@ TEST(Shadow, AirCastsNone) {
   EXPECT_LT(shadow_transmittance(0.05f, 1.0001f, false), 0.3f);
 }
 
+// Asked for the change only, the answer is the same wherever there is one, and "none" elsewhere.
+TEST(Shadow, ChangeIsTheDifferenceOfBothSolutions) {
+  struct Case {
+    bool virtual_glass, virtual_opaque, real_glass, real_opaque;
+  };
+  for (const Case& c : {Case{false, false, true, false}, Case{false, false, true, true},
+                        Case{true, false, false, false}, Case{true, false, true, false},
+                        Case{true, true, true, false}, Case{true, false, true, true},
+                        Case{false, true, false, false}, Case{false, true, false, true}}) {
+    scene::Scene scene;
+    const auto add = [&](bool there, float height, const scene::Material& material,
+                         scene::Role role) {
+      if (there) {
+        add_object(scene, test_support::make_box({-1, height, -1}, {1, height + 0.2f, 1}), material,
+                   role);
+      }
+    };
+    const auto glass = test_support::make_glass(1.5f, glm::vec3(1.0f, 2.0f, 3.0f));
+    const auto opaque = test_support::make_diffuse(glm::vec3(0.5f));
+    add(c.virtual_glass, 1.0f, glass, scene::Role::Virtual);
+    add(c.virtual_opaque, 2.0f, opaque, scene::Role::Virtual);
+    add(c.real_glass, 3.0f, glass, scene::Role::Real);
+    add(c.real_opaque, 4.0f, opaque, scene::Role::Real);
+    EmbreeScene embree(scene);
+    scene::AnchoredScene anchored;
+    for (std::uint32_t i = 0; i < scene.instances.size(); ++i)
+      anchored.instances.push_back({i, glm::mat4(1.0f)});
+    embree.place(anchored);
+    PassedSurfaces surfaces;
+    const glm::dvec3 start(kUp.origin);
+    const ShadowAttenuation both = trace_shadow(embree, start, kUp, surfaces);
+    const ShadowAttenuation change = trace_shadow_change(embree, start, kUp, surfaces);
+    EXPECT_EQ(change.mixed - change.real, both.mixed - both.real);
+    EXPECT_EQ(change.differs(), both.differs());
+  }
+}
+
+// Light that passes more surfaces than are kept is cut off rather than half counted.
+TEST(Shadow, MoreSurfacesThanAreKeptAreDark) {
+  scene::Scene scene;
+  const auto glass = test_support::make_glass(1.0f, glm::vec3(0.0f));  // as air
+  const Ray beside_edges{{0.3f, 0.01f, 0.1f}, {0, 1, 0}, kInfinity};   // where hits come in pairs
+  for (int i = 0; i < 140; ++i) {
+    const float height = 1.0f + 0.1f * static_cast<float>(i);
+    add_object(scene, test_support::make_box({-1, height, -1}, {1, height + 0.05f, 1}), glass,
+               scene::Role::Virtual);
+    if (i == 100) {
+      EXPECT_EQ(shadow_of(scene, beside_edges).mixed, glm::vec3(1.0f));
+    }
+  }
+  EXPECT_EQ(shadow_of(scene, beside_edges).mixed, glm::vec3(0.0f));
+}
+
 TEST(Shadow, OccluderBehindTheLightDoesNotCount) {
   scene::Scene scene;
   add_object(scene, test_support::make_floor(2.0f, 1.0f),

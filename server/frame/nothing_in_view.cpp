@@ -1,0 +1,114 @@
+#include "frame/nothing_in_view.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <vector>
+
+namespace amalgam::frame {
+namespace {
+
+using Points = std::vector<glm::dvec3>;
+
+// Pairs of objects and lights beyond which asking costs more than it may save.
+constexpr std::size_t kMostPairs = 4096;
+
+// The view's four sides and the camera's plane, in the world: a point is outside where
+// dot(normal, p) + offset < 0.
+struct Plane {
+  glm::dvec3 normal{0.0};
+  double offset = 0.0;
+};
+using View = std::array<Plane, 5>;
+
+// A few pixels more than the picture: shadows are filtered, and samples lie between the centres.
+View view_planes(const passes::RenderView& view) {
+  constexpr double kMargin = 3.0;
+  const core::CameraModel& camera = view.ideal;
+  const double left = (-kMargin - camera.cx) / camera.fx;
+  const double right = (camera.width - 1.0 + kMargin - camera.cx) / camera.fx;
+  const double top = (-kMargin - camera.cy) / camera.fy;
+  const double bottom = (camera.height - 1.0 + kMargin - camera.cy) / camera.fy;
+  const std::array<glm::dvec3, 5> in_camera{glm::dvec3(1.0, 0.0, -left),
+                                            {-1.0, 0.0, right},
+                                            {0.0, 1.0, -top},
+                                            {0.0, -1.0, bottom},
+                                            {0.0, 0.0, 1.0}};
+  View planes;
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const glm::dvec4 in_world = glm::dvec4(in_camera[i], 0.0) * view.scene.camera_from_world;
+    planes[i] = {glm::dvec3(in_world), in_world.w};
+  }
+  return planes;
+}
+
+// Of the points' convex hull.
+bool is_outside(const View& view, const Points& points) {
+  return std::any_of(view.begin(), view.end(), [&](const Plane& plane) {
+    return std::all_of(points.begin(), points.end(), [&](const glm::dvec3& p) {
+      return glm::dot(plane.normal, p) + plane.offset < 0.0;
+    });
+  });
+}
+
+// The hull of what lies in the box's shadow before or within the receivers: its corners, and the
+// same as far behind the last receiver.
+Points shaded_by(const Points& caster, const Points& receivers, const scene::Light& light) {
+  Points points = caster;
+  if (light.kind == scene::Light::Kind::Directional) {
+    const glm::dvec3 away = -glm::normalize(glm::dvec3(light.to_light));
+    double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
+    for (const glm::dvec3& p : caster) nearest = std::min(nearest, glm::dot(away, p));
+    for (const glm::dvec3& p : receivers) farthest = std::max(farthest, glm::dot(away, p));
+    const double way = std::max(farthest - nearest, 0.0);
+    for (const glm::dvec3& p : caster) points.push_back(p + way * away);
+    return points;
+  }
+  const glm::dvec3 position(light.position);
+  double farthest = 0.0;
+  for (const glm::dvec3& p : receivers) farthest = std::max(farthest, glm::distance(p, position));
+  // One factor for all corners, that of the box's point nearest to the light: it carries each of
+  // its points at least as far as the farthest receiver.
+  glm::dvec3 low = caster.front(), high = caster.front();
+  for (const glm::dvec3& p : caster) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  const double nearest = glm::distance(glm::clamp(position, low, high), position);
+  constexpr double kMostDrawnOut = 1e6;
+  const double factor = nearest > 0.0 ? std::min(farthest / nearest, kMostDrawnOut) : kMostDrawnOut;
+  for (const glm::dvec3& p : caster)
+    points.push_back(position + std::max(factor, 1.0) * (p - position));
+  return points;
+}
+
+}  // namespace
+
+bool nothing_virtual_in_view(const scene::Scene& scene, std::span<const scene::Bounds> mesh_bounds,
+                             const passes::RenderView& view) {
+  const View planes = view_planes(view);
+  std::vector<Points> casters;
+  Points receivers;
+  for (const scene::AnchoredInstance& anchored : view.scene.instances) {
+    const scene::Instance& instance = scene.instances[anchored.instance];
+    const auto corners = placed_corners(mesh_bounds[instance.mesh], anchored.world_from_mesh);
+    const Points box(corners.begin(), corners.end());
+    if (instance.role == scene::Role::Virtual) {
+      if (!is_outside(planes, box)) return false;
+      casters.push_back(box);
+    } else if (!is_outside(planes, box)) {
+      if (scene::is_specular(scene.materials[instance.material].kind)) return false;
+      receivers.insert(receivers.end(), box.begin(), box.end());
+    }
+    if (casters.size() * std::max<std::size_t>(view.lights.size(), 1) > kMostPairs) return false;
+  }
+  if (receivers.empty()) return true;
+  return std::all_of(casters.begin(), casters.end(), [&](const Points& caster) {
+    return std::all_of(view.lights.begin(), view.lights.end(), [&](const scene::Light& light) {
+      return is_outside(planes, shaded_by(caster, receivers, light));
+    });
+  });
+}
+
+}  // namespace amalgam::frame
