@@ -11,10 +11,19 @@ namespace {
 
 constexpr double kBudget = 1000.0 / 30.0;
 
+// Much to go down from, whatever the defaults are.
+RendererSettings fine_settings() {
+  RendererSettings settings;
+  settings.trace.max_depth = 10;
+  settings.trace.importance_cutoff = 0.004f;
+  settings.jpeg_quality = 90;
+  return settings;
+}
+
 // Frames that take what the scene's real costs say, which the governor does not know.
 class Simulation {
  public:
-  explicit Simulation(const RendererSettings& settings = {}, int client_quality = 0)
+  explicit Simulation(const RendererSettings& settings = fine_settings(), int client_quality = 0)
       : ladder_(make_quality_ladder(settings)),
         governor_(kBudget, ladder_,
                   client_quality != 0 ? std::vector<JpegLevel>{{client_quality}}
@@ -216,7 +225,7 @@ TEST(Governor, JpegIsCoarserOnlyIfEncodingDominates) {
 }
 
 TEST(Governor, AClientsOwnJpegQualityStays) {
-  Simulation simulation({}, 97);
+  Simulation simulation(fine_settings(), 97);
   simulation.full.encode = 100.0;
   simulation.render(100);
   EXPECT_EQ(simulation.report().jpeg_quality, 97);

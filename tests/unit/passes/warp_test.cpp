@@ -87,8 +87,8 @@ TEST(Warp, ScaleOfOneIsTheSameCamera) {
 TEST(Warp, LeavesOutNoTileThatSomethingReachesInto) {
   constexpr float kScale = 0.5f;
   const core::CameraModel small = scaled_camera(test_support::make_pinhole(160, 120, 150.0), 0.5);
-  for (const glm::ivec2 p : {glm::ivec2(1, 1), glm::ivec2(15, 15), glm::ivec2(16, 16),
-                             glm::ivec2(31, 32), glm::ivec2(80, 60)}) {
+  for (const glm::ivec2& p : {glm::ivec2(1, 1), glm::ivec2(15, 15), glm::ivec2(16, 16),
+                              glm::ivec2(31, 32), glm::ivec2(80, 60)}) {
     core::Layers layers({small.width, small.height});
     layers.set(p.x, p.y, glm::vec4(1.0f), glm::vec3(0.0f));
     const core::Layers warped = warp_layers(layers, {.size = {160, 120}, .scale = kScale});
