@@ -79,7 +79,9 @@ std::optional<ServerOptions> parse_server_options(int argc, const char* const* a
       ->type_name("FILE");
   tools::add_renderer_options(app, options.render.renderer);
   app.add_option("--quality", options.render.renderer.jpeg_quality,
-                 "JPEG quality of composites for clients that leave it to the server, 1 to 100")
+                 "JPEG quality, 1 to 100, of composites for clients that leave it to the server, "
+                 "where they "
+                 "cannot take over the quality and the unchanged blocks of the camera's JPEG")
       ->capture_default_str()
       ->type_name("Q")
       ->check(CLI::Range(1, 100));

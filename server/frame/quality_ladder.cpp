@@ -67,9 +67,9 @@ class Ladder {
 }  // namespace
 
 // Shares of rays, and the order, are those of a glass bunny (70,000 triangles, 1280x1024, 12.6 % of
-// the picture). Structural similarity of the whole picture to full quality, each alone: cut-off .05
-// .995, .1 .993, .2 .991; depth 8 .991, 6 .985, 4 .975; scale .85 .953, .7 .951, .5 .946: what
-// scaling costs there are sparkles of single pixels, and it costs them at any scale.
+// the picture). Structural similarity of the whole picture to that of cut-off .004: cut-off .05
+// .995, .1 .993, .2 .991, .1 with depth 8 .986, with 6 .979, with 4 .969; scale .85 .953, .7 .951,
+// .5 .946: what scaling costs there are sparkles of single pixels, and it costs them at any scale.
 std::vector<QualityLevel> make_quality_ladder(const RendererSettings& settings) {
   Ladder ladder(settings);
   ladder.cutoff(0.05f, 0.6);
@@ -81,6 +81,7 @@ std::vector<QualityLevel> make_quality_ladder(const RendererSettings& settings) 
   ladder.samples(1);
   ladder.cutoff(0.2f, 0.9);
   ladder.depth(8, 0.97);
+  if (!settings.coarse_allowed) return ladder.take();
   ladder.depth(6, 0.95);
   ladder.scale(0.85f);
   ladder.scale(0.7f);

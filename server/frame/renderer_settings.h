@@ -45,6 +45,9 @@ struct RendererSettings {
   // Frames a second. Set: each view's quality is lowered below these settings, but never raised
   // above them, so that a frame takes no longer (frame/governor.h).
   std::optional<double> target_fps;
+  // Whether target_fps may cost what is plainly seen: pixels, and all but a few bounces. Without
+  // it, quality stays where pictures keep a structural similarity of about .98.
+  bool coarse_allowed = false;
 };
 
 // "1", "4", "9", "16", "adaptive" or "adaptive:THRESHOLD", threshold in (0, 1]. Throws

@@ -70,6 +70,9 @@ void add_renderer_options(CLI::App& app, frame::RendererSettings& settings) {
                  "frames a second: a frame's quality is lowered until it takes no longer; without "
                  "it, quality is as the other options say")
       ->check(CLI::Range(0.1, 1000.0));
+  app.add_flag("--coarse", settings.coarse_allowed,
+               "let --target-fps lower what is plainly seen too: pixels (as --render-scale) and "
+               "depth below 8");
   app.add_option("--threads", settings.threads,
                  "threads for rendering; 0: one for each core that this process may use, which "
                  "affinity and a container's CPU quota may lessen")

@@ -17,6 +17,7 @@ RendererSettings fine_settings() {
   settings.trace.max_depth = 10;
   settings.trace.importance_cutoff = 0.004f;
   settings.jpeg_quality = 90;
+  settings.coarse_allowed = true;
   return settings;
 }
 

@@ -11,6 +11,7 @@ RendererSettings settings_of(int samples, int depth, float cutoff, float scale) 
   settings.trace.max_depth = depth;
   settings.trace.importance_cutoff = cutoff;
   settings.render_scale = scale;
+  settings.coarse_allowed = true;
   return settings;
 }
 
@@ -47,6 +48,17 @@ TEST(QualityLadder, OnlyEverLess) {
       EXPECT_EQ(differences, 1) << i;
     }
   }
+}
+
+TEST(QualityLadder, WhatIsPlainlySeenIsLoweredOnlyIfAllowed) {
+  RendererSettings settings;
+  const QualityLevel fine = make_quality_ladder(settings).back();
+  EXPECT_EQ(fine.render_scale, settings.render_scale);
+  EXPECT_EQ(fine.max_depth, 8);
+  settings.coarse_allowed = true;
+  const QualityLevel coarse = make_quality_ladder(settings).back();
+  EXPECT_LT(coarse.render_scale, settings.render_scale);
+  EXPECT_LT(coarse.max_depth, fine.max_depth);
 }
 
 TEST(QualityLadder, JpegIsNeverFinerThanAskedFor) {

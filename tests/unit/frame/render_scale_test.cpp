@@ -159,6 +159,7 @@ TEST(TargetFps, FramesSayWhatWasChosen) {
   EXPECT_FALSE(render(table_with_glass_ball(), scaled(1.0f)).statistics.quality);
   RendererSettings settings = scaled(1.0f);
   settings.target_fps = 1000.0;
+  settings.coarse_allowed = true;
   FrameRenderer renderer(table_with_glass_ball(), settings);
   ViewState view({.camera = core::default_camera(kWidth, kHeight)});
   const FrameInput input{codec::encode_jpeg(stripes(), 90), {default_pose(kMarker)}};
@@ -181,6 +182,7 @@ TEST(TargetFps, FramesSayWhatWasChosen) {
 TEST(TargetFps, UnaffectedFramesChangeNothing) {
   RendererSettings settings = scaled(1.0f);
   settings.target_fps = 1000.0;
+  settings.coarse_allowed = true;
   FrameRenderer renderer(table_with_glass_ball(), settings);
   ViewState view({.camera = core::default_camera(kWidth, kHeight)});
   const Bytes jpeg = codec::encode_jpeg(stripes(), 90);
