@@ -7,8 +7,8 @@
 namespace amalgam::frame {
 namespace {
 
-constexpr std::array<std::string_view, 7> kPixelPasses{
-    "mask", "reached tiles", "diffuse", "effect", "resolve", "real depth", "merge"};
+constexpr std::array<std::string_view, 8> kPixelPasses{
+    "mask", "reached tiles", "diffuse", "effect", "resolve", "real depth", "shadow bound", "merge"};
 
 }  // namespace
 

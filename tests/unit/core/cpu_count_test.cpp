@@ -20,7 +20,9 @@ class CpuCount : public testing::Test {
     std::ofstream(mounts_ / file) << text << "\n";
   }
 
-  const fs::path mounts_ = fs::path(testing::TempDir()) / "amalgam-cpu-count-test";
+  // A folder a test, because tests run side by side.
+  const fs::path mounts_ = fs::path(testing::TempDir()) / "amalgam-cpu-count-test" /
+                           testing::UnitTest::GetInstance()->current_test_info()->name();
 };
 
 TEST_F(CpuCount, Version2) {

@@ -29,17 +29,17 @@ TEST(ShaderLibrary, CompilesForEverySetOfFeatures) {
 TEST(ShaderProgram, SaysWhichFileIsBrokenAndHow) {
   const EglContext context;
   try {
-    const ShaderProgram broken("cover_screen.vert", "query_effect.frag", "this is not GLSL\n");
+    const ShaderProgram broken("draw_caster.vert", "draw_depth.frag", "this is not GLSL\n");
     FAIL() << "compiled";
   } catch (const std::runtime_error& error) {
     const std::string what = error.what();
-    EXPECT_NE(what.find("cover_screen.vert"), std::string::npos) << what;
+    EXPECT_NE(what.find("draw_caster.vert"), std::string::npos) << what;
     EXPECT_NE(what.find("2: this is not GLSL"), std::string::npos) << what;
   }
 }
 
 TEST(ShaderSources, HaveNoIncludesLeft) {
-  for (const char* file : {"draw_surface.vert", "shade_diffuse.frag", "resolve_samples.frag"}) {
+  for (const char* file : {"draw_surface.vert", "shade_diffuse.frag", "accumulate_glass.frag"}) {
     EXPECT_EQ(shaders::source(file).find("#include"), std::string_view::npos) << file;
     EXPECT_EQ(shaders::source(file).substr(0, 8), "#version") << file;
   }
