@@ -13,6 +13,7 @@
 #include "frame/rendering_threads.h"
 #include "frame/scene_variant.h"
 #include "gl/shader_interface.h"
+#include "passes/light_extraction.h"
 #include "scene/anchored_scene.h"
 #include "scene/env_lights.h"
 #include "scene/features.h"
@@ -110,7 +111,7 @@ class FrameRenderer::Impl {
   void set_environment(scene::Environment environment) {
     scene_.environment = std::move(environment);
     features_ = scene::scene_features(scene_);
-    environment_changed_ = true;
+    environment_lights_.reset();
   }
 
   const scene::Scene& scene() const { return scene_; }
@@ -120,9 +121,10 @@ class FrameRenderer::Impl {
   FrameOutput render_in_arena(ViewState& view, const FrameInput& input, FrameBuffers* buffers) {
     const core::Stopwatch stopwatch;
     graph::FrameGraph graph;
-    update_lights(graph);
+    passes::EnvironmentLights lights = environment_lights(graph);
     const RendererSettings settings = settings_for(view);
-    const passes::RenderView render_view = make_render_view(view, input, settings);
+    const passes::RenderView render_view =
+        make_render_view(view, input, settings, std::move(lights));
     const SceneResources resources{
         .scene = scene_,
         .features = features_,
@@ -148,21 +150,12 @@ class FrameRenderer::Impl {
     return output;
   }
 
-  // A pass like any other, but the only one that is asked for at once: what is drawn depends on how
-  // many lights there are.
-  void update_lights(graph::FrameGraph& graph) {
-    if (!scene_.environment || !environment_changed_) {
-      graph.note_left_out("light extraction", scene_.environment ? "the environment has not changed"
-                                                                 : "no environment in the scene");
-      return;
-    }
-    graph::Builder builder = graph.add_pass("light extraction");
-    const auto lights = builder.writes<std::vector<scene::Light>>("environment lights");
-    builder.runs([this, lights](const graph::Access& access) {
-      access.set(lights, scene::extract_lights(*scene_.environment, settings_.env_lights));
-    });
-    environment_lights_ = *graph.realise(lights);
-    environment_changed_ = false;
+  // The only pass that is asked for at once: what is drawn depends on how many lights there are.
+  passes::EnvironmentLights environment_lights(graph::FrameGraph& graph) {
+    const auto& environment = scene_.environment;
+    const auto* lights = graph.realise(passes::add_light_extraction_pass(
+        graph, {environment ? &*environment : nullptr, settings_.env_lights, environment_lights_}));
+    return lights != nullptr ? *lights : passes::EnvironmentLights{};
   }
 
   // The operator's; with a target frame rate, as far as the view can have them.
@@ -178,12 +171,13 @@ class FrameRenderer::Impl {
   }
 
   passes::RenderView make_render_view(const ViewState& view, const FrameInput& input,
-                                      const RendererSettings& settings) const {
+                                      const RendererSettings& settings,
+                                      passes::EnvironmentLights lights) const {
     passes::RenderView render_view{
         .camera = view.options.camera,
         .ideal = passes::scaled_camera(view.ideal, static_cast<double>(settings.render_scale)),
         .scene = scene::anchor_scene(scene_, input.poses),
-        .lights = environment_lights_,
+        .lights = std::move(lights),
         .samples_per_side = static_cast<int>(std::lround(std::sqrt(settings.samples_per_pixel))),
     };
     const auto& punctual = render_view.scene.punctual_lights;
@@ -214,8 +208,7 @@ class FrameRenderer::Impl {
   scene::Scene scene_;
   scene::SceneFeatures features_;
   std::vector<scene::Bounds> mesh_bounds_;  // by Scene::meshes
-  bool environment_changed_ = true;
-  std::vector<scene::Light> environment_lights_;
+  passes::EnvironmentLightCache environment_lights_;
   std::optional<trace::EmbreeScene> embree_;
   std::optional<Raster> raster_;
   tbb::task_arena arena_;

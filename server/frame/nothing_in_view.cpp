@@ -52,16 +52,39 @@ bool is_outside(const View& view, const Points& points) {
   });
 }
 
+struct Box {
+  glm::dvec3 low{0.0}, high{0.0};
+};
+
+Box box_of(const Points& points) {
+  Box box{points.front(), points.front()};
+  for (const glm::dvec3& p : points) {
+    box.low = glm::min(box.low, p);
+    box.high = glm::max(box.high, p);
+  }
+  return box;
+}
+
+// How far the points must go until all of them have left the box on one of its sides, metres.
+double way_through(const Points& points, const Box& box, const glm::dvec3& direction) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis) {
+    if (direction[axis] == 0.0) continue;
+    const double side = direction[axis] > 0.0 ? box.high[axis] : box.low[axis];
+    double way = 0.0;
+    for (const glm::dvec3& p : points) way = std::max(way, (side - p[axis]) / direction[axis]);
+    least = std::min(least, way);
+  }
+  return least;
+}
+
 // The hull of what lies in the box's shadow before or within the receivers: its corners, and the
 // same as far behind the last receiver.
 Points shaded_by(const Points& caster, const Points& receivers, const scene::Light& light) {
   Points points = caster;
   if (light.kind == scene::Light::Kind::Directional) {
     const glm::dvec3 away = -glm::normalize(glm::dvec3(light.to_light));
-    double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
-    for (const glm::dvec3& p : caster) nearest = std::min(nearest, glm::dot(away, p));
-    for (const glm::dvec3& p : receivers) farthest = std::max(farthest, glm::dot(away, p));
-    const double way = std::max(farthest - nearest, 0.0);
+    const double way = way_through(caster, box_of(receivers), away);
     for (const glm::dvec3& p : caster) points.push_back(p + way * away);
     return points;
   }
@@ -70,12 +93,8 @@ Points shaded_by(const Points& caster, const Points& receivers, const scene::Lig
   for (const glm::dvec3& p : receivers) farthest = std::max(farthest, glm::distance(p, position));
   // One factor for all corners, that of the box's point nearest to the light: it carries each of
   // its points at least as far as the farthest receiver.
-  glm::dvec3 low = caster.front(), high = caster.front();
-  for (const glm::dvec3& p : caster) {
-    low = glm::min(low, p);
-    high = glm::max(high, p);
-  }
-  const double nearest = glm::distance(glm::clamp(position, low, high), position);
+  const Box box = box_of(caster);
+  const double nearest = glm::distance(glm::clamp(position, box.low, box.high), position);
   constexpr double kMostDrawnOut = 1e6;
   const double factor = nearest > 0.0 ? std::min(farthest / nearest, kMostDrawnOut) : kMostDrawnOut;
   for (const glm::dvec3& p : caster)

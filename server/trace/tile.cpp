@@ -5,7 +5,7 @@
 namespace amalgam::trace {
 namespace {
 
-constexpr std::size_t kBatchSize = 256;  // what flows between the verbs stays in the second cache
+constexpr std::size_t kBatchSize = 64;  // what flows between the verbs stays in the first caches
 
 }  // namespace
 
