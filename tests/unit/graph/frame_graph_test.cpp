@@ -125,6 +125,31 @@ TEST(FrameGraph, NotesStandInThePassList) {
 
 using FrameGraphDeathTest = testing::Test;
 
+// The last reader may have the value itself; whoever reads before others are done gets a copy.
+TEST(FrameGraph, TheLastReaderTakesWhatOthersCopy) {
+  FrameGraph graph;
+  const std::vector<int> numbers{1, 2, 3};
+  const auto source = graph.import("numbers", numbers);
+  const auto add_taker = [&](const std::string& name, const std::vector<Handle<int>>& needs) {
+    Builder builder = graph.add_pass(name);
+    for (const auto& need : needs) builder.needs(need);
+    builder.needs(source);
+    const auto out = builder.writes<int>(name + " result");
+    builder.runs([source, out](const Access& access) {
+      access.set(out, static_cast<int>(access.take(source).size()));
+    });
+    return out;
+  };
+  const auto first = add_taker("first", {});
+  const auto last = add_taker("last", {first});
+  ASSERT_NE(graph.realise(first), nullptr);
+  EXPECT_EQ(*graph.peek(source), numbers) << "somebody may still read it";
+  ASSERT_NE(graph.realise(last), nullptr);
+  EXPECT_EQ(*graph.peek(first), 3);
+  EXPECT_EQ(*graph.peek(last), 3);
+  EXPECT_TRUE(graph.peek(source)->empty()) << "moved, not copied";
+}
+
 TEST(FrameGraphDeathTest, TouchingWhatWasNotDeclaredAborts) {
   testing::FLAGS_gtest_death_test_style = "threadsafe";
   FrameGraph graph;
