@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 namespace amalgam::passes {
 namespace {
@@ -44,7 +45,33 @@ void replace_marked(core::Layers& layers, const core::Layers& refined,
   }
 }
 
+std::uint64_t pixels_of(const core::TileGrid& grid, const std::vector<std::size_t>& tiles) {
+  std::uint64_t count = 0;
+  for (const std::size_t tile : tiles) {
+    const glm::ivec2 size = grid.end_pixel(tile) - grid.first_pixel(tile);
+    count += static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y);
+  }
+  return count;
+}
+
 }  // namespace
+
+std::vector<std::size_t> tiles_with_neighbours(const core::Layers& layers) {
+  const core::TileGrid& grid = layers.grid();
+  std::vector<std::uint8_t> wanted(grid.count());
+  for (const std::size_t tile : layers.present()) {
+    const glm::ivec2 at = grid.place(tile);
+    for (int y = std::max(at.y - 1, 0); y <= std::min(at.y + 1, grid.tiles().y - 1); ++y) {
+      for (int x = std::max(at.x - 1, 0); x <= std::min(at.x + 1, grid.tiles().x - 1); ++x)
+        wanted[grid.index({x, y})] = 1;
+    }
+  }
+  std::vector<std::size_t> tiles;
+  for (std::size_t tile = 0; tile < wanted.size(); ++tile) {
+    if (wanted[tile] != 0) tiles.push_back(tile);
+  }
+  return tiles;
+}
 
 core::Image<std::uint8_t> find_edges(const core::Layers& layers, const trace::FirstHits* hits,
                                      float threshold) {
@@ -56,10 +83,14 @@ core::Image<std::uint8_t> find_edges(const core::Layers& layers, const trace::Fi
     edges.at(p.x, p.y) = 1;
     edges.at(q.x, q.y) = 1;
   };
-  for (int y = 0; y < edges.height(); ++y) {
-    for (int x = 0; x < edges.width(); ++x) {
-      if (x + 1 < edges.width()) compare({x, y}, {x + 1, y});
-      if (y + 1 < edges.height()) compare({x, y}, {x, y + 1});
+  const core::TileGrid& grid = layers.grid();
+  for (const std::size_t tile : tiles_with_neighbours(layers)) {
+    const glm::ivec2 first = grid.first_pixel(tile), end = grid.end_pixel(tile);
+    for (int y = first.y; y < end.y; ++y) {
+      for (int x = first.x; x < end.x; ++x) {
+        if (x + 1 < edges.width()) compare({x, y}, {x + 1, y});
+        if (y + 1 < edges.height()) compare({x, y}, {x, y + 1});
+      }
     }
   }
   return edges;
@@ -79,9 +110,12 @@ RefineOutputs add_refine_pass(graph::FrameGraph& graph, const RefineInputs& in) 
     const RenderView& view = in.trace.view;
     Layers layers = access.get(in.base);
     std::optional<trace::FirstHits> hits;
+    std::uint64_t asked = 0;
     if (in.by_surface) {
+      const std::vector<std::size_t> tiles = tiles_with_neighbours(layers);
       hits = trace::find_first_hits(*access.get(in.trace.scene).scene, view.ideal,
-                                    view.scene.camera_from_world);
+                                    view.scene.camera_from_world, tiles);
+      asked = pixels_of(layers.grid(), tiles);
     }
     core::Image<std::uint8_t> edges = find_edges(layers, hits ? &*hits : nullptr, in.threshold);
     const core::Image<std::uint8_t> mask = sample_mask(edges, in.samples_per_side);
@@ -89,7 +123,7 @@ RefineOutputs add_refine_pass(graph::FrameGraph& graph, const RefineInputs& in) 
     replace_marked(layers, refined.layers, edges);
 
     Refinement statistics{.rays = refined.rays, .nonfinite = refined.nonfinite};
-    if (hits) statistics.rays.primary += edges.pixels().size();
+    statistics.rays.primary += asked;
     statistics.pixels =
         static_cast<std::uint64_t>(std::count(edges.pixels().begin(), edges.pixels().end(), 1));
     statistics.marked = std::move(edges);

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "core/provenance.h"
 #include "core/ray_counts.h"
@@ -30,6 +31,9 @@ inline constexpr float kShadowEdgeThreshold = 1e-3f;
 // Without hits only the layers count.
 core::Image<std::uint8_t> find_edges(const core::Layers& layers, const trace::FirstHits* hits,
                                      float threshold);
+
+// The tiles that show something, and those around them: edges lie nowhere else. Ascending.
+std::vector<std::size_t> tiles_with_neighbours(const core::Layers& layers);
 
 struct Refinement {
   core::RayCounts rays;  // first hits as primary

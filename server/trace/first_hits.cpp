@@ -6,25 +6,30 @@
 #include <limits>
 
 #include "core/pose.h"
+#include "core/tile_grid.h"
 
 namespace amalgam::trace {
 
 FirstHits find_first_hits(const EmbreeScene& scene, const core::CameraModel& camera,
-                          const glm::dmat4& camera_from_world) {
+                          const glm::dmat4& camera_from_world, std::span<const std::size_t> tiles) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   FirstHits hits{core::Image<std::uint32_t>(camera.width, camera.height, FirstHits::kNothing),
                  core::Image32f(camera.width, camera.height, kInfinity)};
   const glm::dmat4 world_from_camera = core::rigid_inverse(camera_from_world);
   const glm::dmat3 rotation(world_from_camera);
   const glm::vec3 origin(world_from_camera[3]);
-  tbb::parallel_for(0, camera.height, [&](int y) {
-    for (int x = 0; x < camera.width; ++x) {
-      const glm::dvec3 direction = rotation * *core::pixel_direction(camera, {x, y});
-      const auto hit = scene.intersect({origin, glm::vec3(glm::normalize(direction)), kInfinity},
-                                       Visible::Everything);
-      if (!hit) continue;
-      hits.instance.at(x, y) = hit->instance;
-      hits.distance.at(x, y) = static_cast<float>(hit->t);
+  const core::TileGrid grid({camera.width, camera.height});
+  tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t i) {
+    const glm::ivec2 first = grid.first_pixel(tiles[i]), end = grid.end_pixel(tiles[i]);
+    for (int y = first.y; y < end.y; ++y) {
+      for (int x = first.x; x < end.x; ++x) {
+        const glm::dvec3 direction = rotation * *core::pixel_direction(camera, {x, y});
+        const auto hit = scene.intersect({origin, glm::vec3(glm::normalize(direction)), kInfinity},
+                                         Visible::Everything);
+        if (!hit) continue;
+        hits.instance.at(x, y) = hit->instance;
+        hits.distance.at(x, y) = static_cast<float>(hit->t);
+      }
     }
   });
   return hits;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/mat4x4.hpp>
+#include <span>
 
 #include "core/camera_model.h"
 #include "core/image.h"
@@ -18,8 +19,9 @@ struct FirstHits {
 };
 
 // One ray a pixel of the ideal camera, through its centre. Masked-out texels count as surface. Runs
-// on the caller's TBB arena.
+// on the caller's TBB arena. tiles: of the picture (core/tile_grid.h); pixels of others are left as
+// if they saw nothing.
 FirstHits find_first_hits(const EmbreeScene& scene, const core::CameraModel& camera,
-                          const glm::dmat4& camera_from_world);
+                          const glm::dmat4& camera_from_world, std::span<const std::size_t> tiles);
 
 }  // namespace amalgam::trace
