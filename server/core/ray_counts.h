@@ -9,7 +9,7 @@ struct RayCounts {
   std::uint64_t primary = 0;  // from the camera
   std::uint64_t reflection = 0;
   std::uint64_t refraction = 0;  // passing straight through thin glass included
-  std::uint64_t shadow = 0;      // one a light and diffuse hit, however many surfaces it passes
+  std::uint64_t shadow = 0;      // one for each light that may be shaded at a diffuse hit
   std::uint64_t lookup = 0;      // from a real surface to the camera, where depth could not decide
 
   RayCounts& operator+=(const RayCounts& other) {

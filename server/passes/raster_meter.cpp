@@ -1,5 +1,7 @@
 #include "passes/raster_meter.h"
 
+#include <glm/common.hpp>
+
 #include "gl/framebuffer.h"
 #include "gl/pipeline_state.h"
 #include "gl/shader_interface.h"
@@ -12,7 +14,9 @@ namespace {
 // Entry (x, y) is sample (x step + step / 2, y step + step / 2); blocks that reach beyond the image
 // are left out. What the mask does not show as real and diffuse is left 0.
 core::ImageRgba32f draw_grid(const RasterMeterInputs& in, const graph::Access& access, int step) {
-  const glm::ivec2 samples = sample_size(in.view), entries = samples / step;
+  const glm::ivec2 samples = sample_size(in.view);
+  // A picture of a single row may be lower than a step.
+  const glm::ivec2 entries = glm::max(samples / step, 1);
   RasterTargets& targets = in.raster.targets;
   const gl::Texture& real = ensure_target(targets.meter, gl::TextureFormat::Rgba32f, entries);
   const gl::Texture& mixed =

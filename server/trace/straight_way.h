@@ -1,5 +1,5 @@
-// All surfaces on a straight way: what light for shadows, and the question of what lies between two
-// points, passes.
+// All surfaces on a straight line, nearest first: for asking what lies between two points, and what
+// a point lies in. Shadow rays need no order while they go and take trace/shadow.h's way.
 #pragma once
 
 #include <cmath>

@@ -54,9 +54,9 @@ TEST_F(CpuCount, InAContainerTheMountIsTheGroup) {
 }
 
 TEST_F(CpuCount, Version1) {
-  write("cpu,cpuacct/work/cpu.cfs_quota_us", "300000");
-  write("cpu,cpuacct/work/cpu.cfs_period_us", "100000");
-  const std::string lines = "5:memory:/elsewhere\n4:cpu,cpuacct:/work\n3:cpuset:/\n";
+  write("cpu,cpuacct/jobs/cpu.cfs_quota_us", "300000");
+  write("cpu,cpuacct/jobs/cpu.cfs_period_us", "100000");
+  const std::string lines = "5:memory:/elsewhere\n4:cpu,cpuacct:/jobs\n3:cpuset:/\n";
   EXPECT_EQ(cgroup_cpu_quota(lines, mounts_), 3.0);
 }
 

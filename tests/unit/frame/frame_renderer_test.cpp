@@ -108,6 +108,21 @@ TEST(FrameRenderer, OutOfSightIsOutOfTheFrame) {
   EXPECT_EQ(pass(output, "encode").reason, "nothing virtual in view");
 }
 
+// Lower than the distance between two entries of the exposure meter.
+TEST(FrameRenderer, APictureOfOneRowIsMetered) {
+  scene::Scene scene = table();
+  add_object(scene, test_support::make_box({-0.1f, 0.0f, -0.1f}, {0.1f, 0.1f, 0.1f}),
+             test_support::make_diffuse(glm::vec3(0.5f)), scene::Role::Virtual);
+  core::CameraModel camera = core::default_camera(6000, 1);
+  camera.fx = camera.fy = 3000.0;
+  FrameRenderer renderer(scene, {});
+  ViewState view({.camera = camera, .keep_pixels = true});
+  const core::ImageRgb8 grey(camera.width, camera.height, core::Rgb8(128));
+  const FrameOutput output = renderer.render(view, {grey, {default_pose(kMarker)}});
+  EXPECT_TRUE(pass(output, "meter").ran);
+  EXPECT_EQ(output.pixels.size(), grey.size());
+}
+
 TEST(FrameRenderer, AnotherQualityIsEncodedEvenIfNothingChanged) {
   ViewOptions options;
   options.camera = core::default_camera(kWidth, kHeight);
