@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "frame/nothing_in_view.h"
-#include "passes/effect.h"
+#include "passes/look_up.h"
 #include "passes/merge.h"
 #include "passes/raster_meter.h"
 #include "passes/reached_tiles.h"
@@ -34,12 +34,11 @@ std::optional<std::string> reason_for_nothing(const SceneResources& resources,
   return std::nullopt;
 }
 
-passes::ExposureInputs exposure_inputs(const FrameRequest& request, const FramePasses& frame,
-                                       graph::Handle<passes::MeterGrid> grid) {
+passes::ExposureInputs exposure_inputs(const FrameRequest& request, const FramePasses& frame) {
   return {.fixed = request.settings.exposure,
           .camera = request.render_view.camera,
           .ideal = request.render_view.ideal,
-          .grid = grid,
+          .grid = frame.meter_grid,
           .camera_image = frame.camera_image,
           .memory = request.view.exposure};
 }
@@ -52,6 +51,7 @@ passes::TraceInputs trace_inputs(const SceneResources& resources, const FrameReq
           .settings = request.settings.trace,
           .keep_images = request.keep_buffers,
           .keep_provenance = request.keep_buffers || request.view.options.keep_provenance,
+          .keep_paths_below = request.keep_still ? StillView::kMostBytes : 0,
           .ray_log = request.settings.ray_log,
           .specular = frame.mask.specular,
           .mask = frame.mask.mask,
@@ -64,8 +64,8 @@ passes::TraceInputs trace_inputs(const SceneResources& resources, const FrameReq
 
 // Rasterise what is diffuse, trace what is specular.
 void add_hybrid_passes(graph::FrameGraph& graph, const SceneResources& resources,
-                       const FrameRequest& request, const std::optional<std::string>& nothing,
-                       FramePasses& frame) {
+                       const FrameRequest& request, FramePasses& frame) {
+  const auto& nothing = frame.nothing;
   const passes::RasterContext& raster = *resources.raster;
   const passes::RenderView& view = request.render_view;
   const auto device_view = nothing
@@ -81,11 +81,11 @@ void add_hybrid_passes(graph::FrameGraph& graph, const SceneResources& resources
       passes::add_reached_tiles_pass(graph, {raster, view, frame.mask, shadows, all_tiles});
   frame.diffuse =
       passes::add_diffuse_pass(graph, {raster, view, device_view, frame.mask, shadows, reached});
-  const auto effect = passes::add_effect_pass(graph, {raster, view, frame.diffuse, reached}).effect;
-  const auto grid =
+  frame.effect = passes::add_effect_pass(graph, {raster, view, frame.diffuse, reached}).effect;
+  frame.meter_grid =
       passes::add_raster_meter_pass(graph, {raster, view, device_view, frame.mask, shadows});
-  frame.exposure = passes::add_exposure_pass(graph, exposure_inputs(request, frame, grid));
-  const auto resolved = passes::add_resolve_pass(graph, {view, effect, frame.exposure});
+  frame.exposure = passes::add_exposure_pass(graph, exposure_inputs(request, frame));
+  const auto resolved = passes::add_resolve_pass(graph, {view, frame.effect, frame.exposure});
   frame.rasterised = resolved.layers;
   frame.rasterised_nonfinite = resolved.nonfinite;
 
@@ -103,18 +103,53 @@ void add_hybrid_passes(graph::FrameGraph& graph, const SceneResources& resources
 
 // Trace every sample.
 void add_raytrace_passes(graph::FrameGraph& graph, const SceneResources& resources,
-                         const FrameRequest& request, const std::optional<std::string>& nothing,
-                         FramePasses& frame) {
+                         const FrameRequest& request, FramePasses& frame) {
+  const auto& nothing = frame.nothing;
   const passes::RenderView& view = request.render_view;
   frame.mask.specular = nothing
                             ? graph.absent<passes::SpecularSamples>("samples to trace", *nothing)
                             : graph.import("samples to trace", passes::SpecularSamples{});
   const auto& environment = resources.scene.environment;
-  const auto grid = passes::add_traced_meter_pass(
+  frame.meter_grid = passes::add_traced_meter_pass(
       graph,
       {.view = view, .environment = environment ? &*environment : nullptr, .scene = frame.placed});
-  frame.exposure = passes::add_exposure_pass(graph, exposure_inputs(request, frame, grid));
+  frame.exposure = passes::add_exposure_pass(graph, exposure_inputs(request, frame));
   frame.traced = passes::add_trace_pass(graph, trace_inputs(resources, request, frame));
+}
+
+template <typename T, typename Value>
+graph::Handle<T> bring_back(graph::FrameGraph& graph, const char* name, const Kept<Value>& kept,
+                            T value) {
+  return kept.value ? graph.import(name, std::move(value)) : graph.absent<T>(name, kept.reason);
+}
+
+// Nothing moved: what an equal frame left, with this frame's camera image.
+void add_still_passes(graph::FrameGraph& graph, const SceneResources& resources,
+                      const FrameRequest& request, FramePasses& frame) {
+  constexpr const char* kReason = "nothing moved since the last frame";
+  const StillFrame& still = *request.still;
+  const bool rasterises = resources.raster != nullptr;
+  for (const char* pass : {"mask", "reached tiles", "diffuse", "effect"}) {
+    if (rasterises) graph.note_left_out(pass, kReason);
+  }
+  graph.note_left_out("meter", kReason);
+  frame.meter_grid = bring_back(graph, "meter grid", still.meter_grid,
+                                still.meter_grid.value.value_or(passes::MeterGrid()));
+  frame.exposure = passes::add_exposure_pass(graph, exposure_inputs(request, frame));
+  if (rasterises) {
+    frame.mask.counts = graph.import("sample counts", still.counts);
+    const auto& shaded = still.shaded;
+    frame.effect = bring_back(graph, "diffuse effect", shaded,
+                              passes::DiffuseEffect{shaded.value ? &*shaded.value : nullptr});
+    const auto resolved =
+        passes::add_resolve_pass(graph, {request.render_view, frame.effect, frame.exposure});
+    frame.rasterised = resolved.layers;
+    frame.rasterised_nonfinite = resolved.nonfinite;
+  }
+  graph.note_left_out("trace", kReason);
+  const auto paths = bring_back(graph, "traced paths", still.paths,
+                                still.paths.value.value_or(passes::KeptPaths()));
+  frame.traced = passes::add_look_up_pass(graph, {paths, frame.camera_image, frame.exposure});
 }
 
 // Nine samples where one was not enough; or, for hybrid frames, as many as elsewhere, but traced
@@ -141,21 +176,26 @@ void add_refinement(graph::FrameGraph& graph, const SceneResources& resources,
 FramePasses add_frame_passes(graph::FrameGraph& graph, const SceneResources& resources,
                              const FrameRequest& request) {
   FramePasses frame;
-  const auto nothing = reason_for_nothing(resources, request);
+  frame.nothing = reason_for_nothing(resources, request);
+  const bool still = request.still != nullptr && !frame.nothing;
   const bool wants_own_quality = request.view.options.jpeg_quality != 0;
   const auto decoded = passes::add_decode_pass(graph, {.image = request.input.image,
                                                        .camera = request.render_view.camera,
                                                        .keep_coefficients = !wants_own_quality});
   frame.camera_image = decoded.camera_image;
-  if (resources.embree != nullptr) {
+  if (still) {
+    graph.note_left_out("place instances", "nothing moved since the last frame");
+  } else if (resources.embree != nullptr) {
     frame.placed = passes::add_place_instances_pass(graph, request.render_view, *resources.embree);
   } else {
     graph.note_left_out("place instances", "no specular object in the scene");
   }
-  if (resources.raster != nullptr) {
-    add_hybrid_passes(graph, resources, request, nothing, frame);
+  if (still) {
+    add_still_passes(graph, resources, request, frame);
+  } else if (resources.raster != nullptr) {
+    add_hybrid_passes(graph, resources, request, frame);
   } else {
-    add_raytrace_passes(graph, resources, request, nothing, frame);
+    add_raytrace_passes(graph, resources, request, frame);
   }
   frame.layers = passes::add_merge_pass(graph, {frame.rasterised, frame.traced});
   add_refinement(graph, resources, request, frame);

@@ -12,6 +12,7 @@
 #include "passes/composite.h"
 #include "passes/decode.h"
 #include "passes/diffuse.h"
+#include "passes/effect.h"
 #include "passes/encode.h"
 #include "passes/mask.h"
 #include "passes/refine.h"
@@ -38,15 +39,20 @@ struct FrameRequest {
   ViewState& view;
   const passes::RenderView& render_view;
   bool keep_buffers = false;
+  const StillFrame* still = nullptr;  // what an equal frame left; null: all is made anew
+  bool keep_still = false;            // leave something for the next equal frame
 };
 
 // Handles to all that somebody may ask of a frame. Unset where the mode has no such thing.
 struct FramePasses {
+  std::optional<std::string> nothing;  // why nothing virtual can show, if that is known beforehand
   graph::Handle<passes::CameraImage> camera_image;
+  graph::Handle<passes::MeterGrid> meter_grid;
   graph::Handle<float> exposure;
   graph::Handle<passes::PlacedScene> placed;
   passes::MaskOutputs mask;
   passes::DiffuseOutputs diffuse;
+  graph::Handle<passes::DiffuseEffect> effect;
   graph::Handle<passes::RealDepth> real_depth;
   graph::Handle<passes::VirtualShadows> virtual_shadows;
   graph::Handle<passes::Layers> rasterised;

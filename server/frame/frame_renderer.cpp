@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "frame/collect_buffers.h"
+#include "frame/collect_still.h"
 #include "frame/frame_cost.h"
 #include "frame/frame_passes.h"
 #include "frame/frame_provenance.h"
@@ -46,10 +47,10 @@ FrameStatistics collect_statistics(const graph::FrameGraph& graph, const FramePa
   statistics.pixels.total =
       static_cast<std::uint64_t>(view.ideal.width) * static_cast<std::uint64_t>(view.ideal.height);
   if (const trace::TraceResult* traced = graph.peek(frame.traced)) {
-    statistics.rays = traced->rays;
+    statistics.rays = traced->counts.rays;
     statistics.nonfinite += traced->nonfinite;
-    statistics.pixels.virtual_pixels = traced->primary_virtual / samples;
-    statistics.pixels.specular = traced->primary_specular / samples;
+    statistics.pixels.virtual_pixels = traced->counts.primary_virtual / samples;
+    statistics.pixels.specular = traced->counts.primary_specular / samples;
   }
   if (const passes::SampleCounts* counts = graph.peek(frame.mask.counts)) {
     statistics.pixels.virtual_pixels = counts->virtual_surface / samples;
@@ -112,6 +113,7 @@ class FrameRenderer::Impl {
     scene_.environment = std::move(environment);
     features_ = scene::scene_features(scene_);
     environment_lights_.reset();
+    ++environments_;
   }
 
   const scene::Scene& scene() const { return scene_; }
@@ -133,8 +135,11 @@ class FrameRenderer::Impl {
         .raster = raster_ ? &raster_->passes : nullptr,
         .shadows = raster_ ? &raster_->shadows : nullptr,
     };
-    const FramePasses frame = add_frame_passes(
-        graph, resources, {settings, input, view, render_view, buffers != nullptr});
+    begin_still(view, settings, render_view, buffers != nullptr);
+    const FramePasses frame =
+        add_frame_passes(graph, resources,
+                         {settings, input, view, render_view, buffers != nullptr,
+                          view.still.frame(), view.still.wants_frame()});
 
     FrameOutput output = take_output(graph, frame, view, input);
     if (buffers != nullptr) *buffers = collect_buffers(graph, frame, render_view);
@@ -144,7 +149,15 @@ class FrameRenderer::Impl {
     core::add_time(output.statistics.stages, "total", stopwatch.milliseconds());
     if (view.governor) {
       output.statistics.quality = view.governor->report();
-      if (!output.unchanged) view.governor->frame_done(frame_cost(output.statistics));
+      const bool is_whole = !output.unchanged && view.still.frame() == nullptr;
+      if (is_whole) view.governor->frame_done(frame_cost(output.statistics));
+    }
+    if (view.still.wants_frame() && !frame.nothing) {
+      if (auto still = collect_still(graph, frame, render_view)) {
+        view.still.keep(std::move(*still));
+      } else {
+        view.still.give_up();
+      }
     }
     last_graph_ = graph.to_graphviz();
     return output;
@@ -185,6 +198,20 @@ class FrameRenderer::Impl {
     return render_view;
   }
 
+  // What is kept knows nothing of buffers, provenance and logged rays, and refinement looks for
+  // edges in the camera's colours.
+  void begin_still(ViewState& view, const RendererSettings& settings,
+                   const passes::RenderView& render_view, bool keep_buffers) const {
+    const bool refines = settings.adaptive_threshold || settings.trace_shadow_edges;
+    if (!settings.reuse_still_frames || refines || keep_buffers || view.options.keep_provenance ||
+        settings.ray_log != nullptr) {
+      view.still.forget();
+      return;
+    }
+    view.still.begin({render_view.scene, render_view.lights, environments_,
+                      render_view.samples_per_side, settings.render_scale, settings.trace});
+  }
+
   // Asks the graph for what the client wants; everything else follows from that.
   static FrameOutput take_output(graph::FrameGraph& graph, const FramePasses& frame,
                                  const ViewState& view, const FrameInput& input) {
@@ -209,6 +236,7 @@ class FrameRenderer::Impl {
   scene::SceneFeatures features_;
   std::vector<scene::Bounds> mesh_bounds_;  // by Scene::meshes
   passes::EnvironmentLightCache environment_lights_;
+  std::uint64_t environments_ = 0;  // changes so far
   std::optional<trace::EmbreeScene> embree_;
   std::optional<Raster> raster_;
   tbb::task_arena arena_;

@@ -33,6 +33,9 @@ struct RendererSettings {
   // Diffuse surfaces are shaded only in tiles where something virtual may show. Off for
   // comparisons: the picture is the same to the bit.
   bool leave_out_tiles = true;
+  // While nothing moves, only the camera's colours are looked up anew. Off for measuring what a
+  // moving camera costs: the picture is the same to the bit.
+  bool reuse_still_frames = true;
   trace::TraceSettings trace;
   scene::EnvLightOptions env_lights;
   std::optional<float> exposure;     // none: metered on the real surfaces in view

@@ -6,6 +6,7 @@
 #include "core/camera_model.h"
 #include "frame/frame.h"
 #include "frame/governor.h"
+#include "frame/still_frame.h"
 #include "passes/exposure.h"
 #include "passes/warp.h"
 
@@ -20,6 +21,7 @@ struct ViewState {
   core::CameraModel ideal;
   std::optional<passes::WarpMap> warp_map;  // only if the lens distorts
   passes::ExposureMemory exposure;
+  StillView still;
   std::optional<Governor> governor;  // only if there is a target; made by the first frame
 };
 

@@ -82,7 +82,8 @@ struct Metrics::Families {
           .Add({});
   Counter& bad_poses =
       counter("amalgam_poses_rejected_total", "Poses that could not be rendered with").Add({});
-  Family<Counter>& rays = counter("amalgam_rays_total", "Rays traced, by kind");
+  Family<Counter>& rays = counter(
+      "amalgam_rays_total", "Rays traced, by kind; reused: not traced, because nothing had moved");
   Family<Counter>& passes = counter("amalgam_passes_run_total", "Passes run, by pass");
   Family<Histogram>& quality = histogram(
       "amalgam_quality_level", "Level that a frame was rendered at, 0 is full quality, by bound");
@@ -150,6 +151,7 @@ void Metrics::frame_rendered(const frame::FrameOutput& output, double server_ms)
   count_rays("refraction", statistics.rays.refraction);
   count_rays("shadow", statistics.rays.shadow);
   count_rays("lookup", statistics.rays.lookup);
+  count_rays("reused", statistics.rays.reused);
   for (const frame::PassRecord& pass : statistics.passes) {
     if (pass.ran) families_->passes.Add({{"pass", pass.name}}).Increment();
   }

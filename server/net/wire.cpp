@@ -206,6 +206,7 @@ protocol::Composite composite_from(const frame::FrameOutput& output) {
   rays.set_refraction(statistics.rays.refraction);
   rays.set_shadow(statistics.rays.shadow);
   rays.set_lookup(statistics.rays.lookup);
+  rays.set_reused(statistics.rays.reused);
   protocol::Pixels& pixels = *composite.mutable_pixels();
   pixels.set_virtual_pixels(statistics.pixels.virtual_pixels);
   pixels.set_specular(statistics.pixels.specular);

@@ -60,7 +60,36 @@ bool find_what_shows(const RenderView& view, ShadedTiles& shaded) {
   return std::any_of(shaded.shows.begin(), shaded.shows.end(), [](auto shows) { return shows; });
 }
 
+std::size_t samples_in(glm::ivec2 size) {
+  return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+}
+
 }  // namespace
+
+ShadedTiles copy_what_shows(const ShadedTiles& shaded, const RenderView& view) {
+  const core::TileGrid grid({view.ideal.width, view.ideal.height});
+  ShadedTiles copy;
+  copy.shows = shaded.shows;
+  for (const ShadedTiles::Run& run : shaded.runs) {
+    for (std::size_t i = 0; i < run.tiles; ++i) {
+      const std::size_t tile = run.first_tile + i;
+      if (shaded.shows[tile] == 0) continue;
+      const TileSamples at = samples_of(grid, {tile, 1}, view.samples_per_side);
+      copy.runs.push_back({tile, 1, at.first, at.size, copy.mixed.size()});
+      for (int y = 0; y < at.size.y; ++y) {
+        const std::size_t row = run.offset + samples_in({run.size.x, y}) +
+                                static_cast<std::size_t>(at.first.x - run.first.x);
+        const auto copy_row = [&](const std::vector<glm::vec4>& from, std::vector<glm::vec4>& to) {
+          to.insert(to.end(), from.begin() + static_cast<std::ptrdiff_t>(row),
+                    from.begin() + static_cast<std::ptrdiff_t>(row) + at.size.x);
+        };
+        copy_row(shaded.mixed, copy.mixed);
+        copy_row(shaded.real, copy.real);
+      }
+    }
+  }
+  return copy;
+}
 
 EffectOutputs add_effect_pass(graph::FrameGraph& graph, const EffectInputs& in) {
   graph::Builder builder = graph.add_pass("effect");

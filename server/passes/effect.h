@@ -15,6 +15,9 @@ struct DiffuseEffect {
   const ShadedTiles* tiles = nullptr;
 };
 
+// A copy of the tiles that show something virtual, for a later frame in which nothing has moved.
+ShadedTiles copy_what_shows(const ShadedTiles& shaded, const RenderView& view);
+
 struct EffectInputs {
   const RasterContext& raster;
   const RenderView& view;

@@ -24,6 +24,11 @@ struct ShadedTiles {
   std::vector<Run> runs;
   std::vector<glm::vec4> mixed, real;  // as DiffuseOutputs
   std::vector<std::uint8_t> shows{};   // by tile of the ideal image: something virtual does
+
+  std::size_t bytes() const {
+    return runs.size() * sizeof(Run) + (mixed.size() + real.size()) * sizeof(glm::vec4) +
+           shows.size();
+  }
 };
 
 // Textures that passes draw into, and what is read back from them. Each exists from the first time

@@ -99,11 +99,7 @@ core::Image<std::uint8_t> find_edges(const core::Layers& layers, const trace::Fi
 RefineOutputs add_refine_pass(graph::FrameGraph& graph, const RefineInputs& in) {
   graph::Builder builder = graph.add_pass("refine");
   builder.needs(in.base);
-  builder.needs(in.trace.scene);
-  builder.needs(in.trace.camera_image);
-  builder.needs(in.trace.exposure);
-  builder.uses(in.trace.real_depth);
-  builder.uses(in.trace.virtual_shadows);
+  declare_trace_reads(builder, in.trace);
   const RefineOutputs out{builder.writes<Layers>("refined layers"),
                           builder.writes<Refinement>("refinement")};
   builder.runs([in, out](const graph::Access& access) {
@@ -122,7 +118,7 @@ RefineOutputs add_refine_pass(graph::FrameGraph& graph, const RefineInputs& in) 
     trace::TraceResult refined = trace_samples(in.trace, access, {&mask, 1, in.samples_per_side});
     replace_marked(layers, refined.layers, edges);
 
-    Refinement statistics{.rays = refined.rays, .nonfinite = refined.nonfinite};
+    Refinement statistics{.rays = refined.counts.rays, .nonfinite = refined.nonfinite};
     statistics.rays.primary += asked;
     statistics.pixels =
         static_cast<std::uint64_t>(std::count(edges.pixels().begin(), edges.pixels().end(), 1));

@@ -21,6 +21,14 @@ graph::Handle<PlacedScene> add_place_instances_pass(graph::FrameGraph& graph,
   return out;
 }
 
+void declare_trace_reads(graph::Builder& builder, const TraceInputs& in) {
+  builder.needs(in.scene);
+  builder.needs(in.camera_image);
+  builder.needs(in.exposure);
+  builder.uses(in.real_depth);
+  builder.uses(in.virtual_shadows);
+}
+
 trace::TraceResult trace_samples(const TraceInputs& in, const graph::Access& access,
                                  const TracedSamples& samples) {
   const RealDepth* real_depth = access.find(in.real_depth);
@@ -28,8 +36,6 @@ trace::TraceResult trace_samples(const TraceInputs& in, const graph::Access& acc
   const trace::CameraView lookup{
       .camera = in.view.camera,
       .camera_from_world = in.view.scene.camera_from_world,
-      .image = &access.get(in.camera_image).pixels,
-      .exposure = access.get(in.exposure),
       .ideal = in.view.ideal,
       .real_depth = real_depth != nullptr ? &real_depth->z : nullptr,
   };
@@ -44,10 +50,12 @@ trace::TraceResult trace_samples(const TraceInputs& in, const graph::Access& acc
       .mask_bit = samples.bit,
       .virtual_shadows = virtual_shadows != nullptr ? virtual_shadows->get() : nullptr,
       .lookup = &lookup,
+      .camera_image = &access.get(in.camera_image).pixels,
       .exposure = access.get(in.exposure),
       .settings = in.settings,
       .keep_images = in.keep_images,
       .keep_provenance = in.keep_provenance,
+      .keep_paths_below = samples.keep_paths_below,
       .ray_log = in.ray_log,
   });
 }
@@ -55,17 +63,13 @@ trace::TraceResult trace_samples(const TraceInputs& in, const graph::Access& acc
 graph::Handle<trace::TraceResult> add_trace_pass(graph::FrameGraph& graph, const TraceInputs& in) {
   graph::Builder builder = graph.add_pass("trace");
   builder.needs(in.specular);
-  builder.needs(in.scene);
-  builder.needs(in.camera_image);
-  builder.needs(in.exposure);
   builder.uses(in.mask);
-  builder.uses(in.real_depth);
-  builder.uses(in.virtual_shadows);
+  declare_trace_reads(builder, in);
   const auto out = builder.writes<trace::TraceResult>("traced layers");
   builder.runs([in, out](const graph::Access& access) {
     const SampleMask* mask = access.find(in.mask);
     const TracedSamples samples{mask != nullptr ? &mask->flags : nullptr, SampleMask::kSpecular,
-                                in.view.samples_per_side};
+                                in.view.samples_per_side, in.keep_paths_below};
     access.set(out, trace_samples(in, access, samples));
   });
   return out;

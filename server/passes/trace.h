@@ -28,6 +28,8 @@ struct TraceInputs {
   trace::TraceSettings settings;
   bool keep_images = false;
   bool keep_provenance = false;
+  // 0: the trace pass keeps no paths; otherwise it does up to so many bytes (trace_request.h).
+  std::size_t keep_paths_below = 0;
   trace::RayLog* ray_log = nullptr;
   graph::Handle<SpecularSamples> specular;
   graph::Handle<SampleMask> mask;  // may be absent: every sample is traced
@@ -45,10 +47,13 @@ struct TracedSamples {
   const core::Image<std::uint8_t>* flags = nullptr;
   std::uint8_t bit = 0;
   int per_side = 1;
+  std::size_t keep_paths_below = 0;
 };
 
-// The tracing itself, for a pass that has declared these inputs' scene, camera_image, exposure and
-// real_depth.
+// What every pass that calls trace_samples reads.
+void declare_trace_reads(graph::Builder& builder, const TraceInputs& in);
+
+// The tracing itself, for a pass that has called declare_trace_reads.
 trace::TraceResult trace_samples(const TraceInputs& in, const graph::Access& access,
                                  const TracedSamples& samples);
 

@@ -19,6 +19,7 @@ namespace amalgam::scene {
 struct AnchoredInstance {
   std::uint32_t instance = 0;  // index into Scene::instances
   glm::mat4 world_from_mesh{1.0f};
+  bool operator==(const AnchoredInstance&) const = default;
 };
 
 struct AnchoredScene {
@@ -26,6 +27,7 @@ struct AnchoredScene {
   std::vector<AnchoredInstance> instances;  // those whose marker is seen, in scene order
   std::vector<Light> punctual_lights;       // those whose marker is seen
   int world_marker = 0;                     // the marker whose frame is the world
+  bool operator==(const AnchoredScene&) const = default;
 };
 
 // Unusable poses (core::is_usable) are ignored. Without any pose that something is bound to, no

@@ -18,6 +18,7 @@ struct Light {
   glm::vec3 intensity{0.0f};
   float range = 0.0f;  // metres, 0 = unlimited; glTF's window max(min(1-(d/r)^4,1),0)
   float cos_inner = 1.0f, cos_outer = 0.0f;  // spot; glTF's smooth cone
+  bool operator==(const Light&) const = default;
 };
 
 // What arrives at a point from a light if nothing is in between.

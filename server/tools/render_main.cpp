@@ -27,7 +27,7 @@ struct Options {
   frame::RendererSettings renderer;
   std::string output, dump, graph, size;
   int repeat = 1;
-  bool json = false, explain = false;
+  bool still = false, json = false, explain = false;
 };
 
 void parse_size(const std::string& text, Options& options) {
@@ -60,6 +60,9 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--repeat", options.repeat, "render the frame so many times, for timing")
       ->check(CLI::Range(1, 100000))
       ->capture_default_str();
+  app.add_flag("--still", options.still,
+               "with --repeat: time what a camera on a tripod costs, of which nothing moves; "
+               "without it, a moving camera");
   app.add_flag("--json", options.json, "print times (ms), ray counts, passes and pixel counts");
   app.add_flag("--explain", options.explain, "print each pass, or why it was left out");
 }
@@ -80,7 +83,9 @@ void write_picture(const std::string& path, core::ImageRgb8 image) {
 }
 
 void run(const Options& options) {
-  frame::FrameRenderer renderer(scene::load_scene(options.scene), options.renderer);
+  frame::RendererSettings settings = options.renderer;
+  settings.reuse_still_frames = options.still;
+  frame::FrameRenderer renderer(scene::load_scene(options.scene), settings);
   for (const std::string& note : renderer.scene().notes) core::log_debug(note);
   tools::RenderInput input = tools::load_render_input(options.input, renderer.scene());
   if (input.detected && input.frame.poses.empty()) {
@@ -94,7 +99,9 @@ void run(const Options& options) {
   std::vector<frame::FrameOutput> frames;
   for (int i = 0; i < options.repeat; ++i) {
     const bool last = i + 1 == options.repeat;
-    view.options.keep_provenance = last && (options.json || !options.dump.empty());
+    // Provenance is not kept of a frame that is not traced.
+    view.options.keep_provenance =
+        last && ((options.json && !options.still) || !options.dump.empty());
     frames.push_back(
         renderer.render(view, input.frame, last && !options.dump.empty() ? &buffers : nullptr));
     if (!last) frames.back().pixels = {};

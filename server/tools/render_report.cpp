@@ -53,11 +53,9 @@ void print_json(std::ostream& out, const std::vector<frame::FrameOutput>& frames
     json["stages_ms"][stage] = {{"min", *std::min_element(values.begin(), values.end())},
                                 {"median", median(values)}};
   }
-  json["rays"] = {{"primary", last.rays.primary},
-                  {"reflection", last.rays.reflection},
-                  {"refraction", last.rays.refraction},
-                  {"shadow", last.rays.shadow},
-                  {"lookup", last.rays.lookup}};
+  json["rays"] = {{"primary", last.rays.primary},       {"reflection", last.rays.reflection},
+                  {"refraction", last.rays.refraction}, {"shadow", last.rays.shadow},
+                  {"lookup", last.rays.lookup},         {"reused", last.rays.reused}};
   json["passes"] = nlohmann::ordered_json::array();
   for (const frame::PassRecord& pass : last.passes) {
     json["passes"].push_back({{"name", pass.name}, {"ran", pass.ran}, {"reason", pass.reason}});

@@ -5,8 +5,8 @@ namespace amalgam::trace {
 
 void Tile::add_escaped() {
   for (const EscapedItem& item : escaped_) {
-    SampleResult& sample = samples_[item.sample];
-    add_share(sample.provenance, item.source, mean_channel(item.weight));
+    SampleResult& sample = paths_.samples[item.sample];
+    add_provenance(item.sample, item.source, mean_channel(item.weight));
     if (request_.environment == nullptr) continue;
     const glm::vec3 light =
         item.weight * scene::sample_environment(*request_.environment, item.direction);

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 
 #include "core/pose.h"
-#include "scene/tone_map.h"
 #include "trace/straight_way.h"
 
 namespace amalgam::trace {
@@ -42,9 +40,8 @@ bool is_hidden(const EmbreeScene& scene, const glm::dvec3& start, const Ray& seg
 CameraLookup::CameraLookup(const CameraView& view)
     : view_(view), camera_in_world_(core::rigid_inverse(view.camera_from_world)[3]) {}
 
-std::optional<CameraSample> CameraLookup::look_up(const EmbreeScene& scene,
-                                                  const SurfacePoint& point,
-                                                  std::uint64_t& lookup_rays) const {
+std::optional<CameraPlace> CameraLookup::find(const EmbreeScene& scene, const SurfacePoint& point,
+                                              std::uint64_t& lookup_rays) const {
   const glm::dvec3 to_camera = camera_in_world_ - point.position;
   if (!(glm::dot(to_camera, point.geometric_normal) > 0.0)) return std::nullopt;  // its back
 
@@ -65,7 +62,7 @@ std::optional<CameraSample> CameraLookup::look_up(const EmbreeScene& scene,
                   {origin, glm::vec3(direction), static_cast<float>(distance)}))
       return std::nullopt;
   }
-  return CameraSample{scene::inverse_tone_map(bilinear(*pixel), view_.exposure), trust};
+  return CameraPlace{glm::vec2(*pixel), trust};
 }
 
 // Sure only where the four depths around the point lie on one plane, on which 1/z is bilinear in
@@ -95,19 +92,6 @@ CameraLookup::DepthVerdict CameraLookup::judge_by_depth(const glm::dvec3& in_cam
   const bool on_one_plane = std::abs(bend) < kSlack * expected;
   const bool with_it = std::abs(in_camera.z * expected - 1.0) < kSlack;
   return on_one_plane && with_it ? DepthVerdict::Visible : DepthVerdict::Unsure;
-}
-
-// In display-linear light, so that a mirror that magnifies the image shows what magnifying it
-// would.
-glm::vec3 CameraLookup::bilinear(const glm::dvec2& pixel) const {
-  const core::ImageRgb8& image = *view_.image;
-  const int x0 = std::clamp(static_cast<int>(std::floor(pixel.x)), 0, image.width() - 1);
-  const int y0 = std::clamp(static_cast<int>(std::floor(pixel.y)), 0, image.height() - 1);
-  const int x1 = std::min(x0 + 1, image.width() - 1), y1 = std::min(y0 + 1, image.height() - 1);
-  const auto fx = static_cast<float>(pixel.x - x0), fy = static_cast<float>(pixel.y - y0);
-  const auto texel = [&](int x, int y) { return scene::srgb_decode(image.at(x, y)); };
-  return glm::mix(glm::mix(texel(x0, y0), texel(x1, y0), fx),
-                  glm::mix(texel(x0, y1), texel(x1, y1), fx), fy);
 }
 
 }  // namespace amalgam::trace

@@ -1,4 +1,4 @@
-// Reading the camera image at a traced hit on a real surface (section 4.4, eq. 4.10, 4.11).
+// Where the camera sees a real surface that a ray met (section 4.4, eq. 4.10).
 //
 // The thesis projects and checks the image's border only. Here a point also has to be in front of
 // the camera (numerics A1, B15) and be what the camera sees there: on the side of the surface that
@@ -17,19 +17,20 @@
 
 namespace amalgam::trace {
 
-// What the look-up reads. The depth may be missing: then every point is decided by a ray.
+// The camera, and what it is known to see. The depth may be missing: then every point is decided by
+// a ray.
 struct CameraView {
   core::CameraModel camera;  // with distortion
   glm::dmat4 camera_from_world{1.0};
-  const core::ImageRgb8* image = nullptr;  // size camera.width x height
-  float exposure = 1.0f;
   core::CameraModel ideal;                     // the camera of real_depth
   const core::Image32f* real_depth = nullptr;  // camera-frame z of the nearest real surface, metres
 };
 
-struct CameraSample {
-  glm::vec3 radiance{0.0f};  // L, scene-linear: TM^-1 of the image's colour
-  float trust = 0.0f;  // (0, 1]: falls to 0 over the last few pixels before the image's border
+struct CameraPlace {
+  glm::vec2 pixel{0.0f};  // pixel centres are integers
+  // (0, 1]: the camera's share of the colour; falls to 0 over the last few pixels before the
+  // image's border.
+  float trust = 0.0f;
 };
 
 class CameraLookup {
@@ -38,13 +39,12 @@ class CameraLookup {
 
   // Nothing if the camera does not see the point. lookup_rays counts the rays that were needed to
   // decide.
-  std::optional<CameraSample> look_up(const EmbreeScene& scene, const SurfacePoint& point,
-                                      std::uint64_t& lookup_rays) const;
+  std::optional<CameraPlace> find(const EmbreeScene& scene, const SurfacePoint& point,
+                                  std::uint64_t& lookup_rays) const;
 
  private:
   enum class DepthVerdict { Visible, Hidden, Unsure };
   DepthVerdict judge_by_depth(const glm::dvec3& point_in_camera) const;
-  glm::vec3 bilinear(const glm::dvec2& pixel) const;
 
   CameraView view_;
   glm::dvec3 camera_in_world_;

@@ -23,7 +23,7 @@ void Tile::generate_primary_rays() {
       }
     }
   }
-  counts_.samples = samples_.size();
+  counts_.samples = paths_.samples.size();
   std::reverse(waiting_.begin(), waiting_.end());
 }
 
@@ -38,11 +38,12 @@ void Tile::add_sample(const glm::ivec2& pixel, const glm::dvec2& at, bool first_
   item.ray = {glm::vec3(item.start), glm::vec3(item.direction),
               std::numeric_limits<float>::infinity()};
   item.media = context_.camera_media;
-  item.sample = static_cast<std::uint32_t>(samples_.size());
+  item.sample = static_cast<std::uint32_t>(paths_.samples.size());
   waiting_.push_back(item);
-  samples_.emplace_back();
-  places_.push_back({pixel.x, pixel.y, first_of_pixel});
-  sees_real_diffuse_.push_back(0);
+  paths_.samples.push_back({.pixel_x = static_cast<std::uint16_t>(pixel.x),
+                            .pixel_y = static_cast<std::uint16_t>(pixel.y),
+                            .first_of_pixel = first_of_pixel});
+  if (request_.keep_provenance) provenance_.emplace_back();
 }
 
 }  // namespace amalgam::trace

@@ -15,8 +15,8 @@ float importance(const glm::vec3& weight) {
 
 void Tile::scatter(const RayItem& item, const MetSurface& met) {
   const glm::vec3 glow = met.weight * met.point.emission;
-  samples_[item.sample].mixed += glow;
-  if (met.point.role == scene::Role::Real) samples_[item.sample].real += glow;
+  paths_.samples[item.sample].mixed += glow;
+  if (met.point.role == scene::Role::Real) paths_.samples[item.sample].real += glow;
   const glm::dvec3 normal =
       valid_shading_normal(met.point.geometric_normal, met.point.shading_normal, -item.direction);
   const scene::Material& material = this->material(met.point.material);

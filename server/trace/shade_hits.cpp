@@ -31,12 +31,13 @@ void Tile::shade_hits() {
         met.weight *= glm::exp(-absorption * static_cast<float>(hits_[i]->t));
     }
     if (primary) count_primary(met.point, material);
-    if (met.point.role == scene::Role::Virtual) samples_[item.sample].met_virtual = true;
+    if (met.point.role == scene::Role::Virtual) paths_.samples[item.sample].met_virtual = true;
     if (scene::is_specular(material.kind)) {
       scatter(item, met);
       continue;
     }
-    if (primary) sees_real_diffuse_[item.sample] = met.point.role == scene::Role::Real ? 1 : 0;
+    if (primary)
+      paths_.samples[item.sample].sees_real_diffuse = met.point.role == scene::Role::Real;
     // Seen directly it is as the rasteriser draws it, which knows no media.
     diffuse_.push_back({met.point, -glm::vec3(item.direction), primary ? item.weight : met.weight,
                         item.sample, primary ? RealColor::UnderPixel : RealColor::LookedUp});

@@ -17,9 +17,9 @@ Tile::Tile(const TileContext& context)
 
 void Tile::start(std::size_t tile) {
   tile_ = tile;
-  places_.clear();
-  samples_.clear();
-  sees_real_diffuse_.clear();
+  paths_.samples.clear();
+  paths_.look_ups.clear();
+  provenance_.clear();
   logged_.clear();
   counts_ = {};
 }
@@ -31,7 +31,7 @@ void Tile::trace() {
     intersect_rays();
     shade_hits();
     add_escaped();
-    look_up_real();
+    find_in_camera();
     spawn_shadow_rays();
     trace_shadow_rays();
     add_diffuse();
@@ -48,8 +48,22 @@ void Tile::take_batch() {
   shadows_.clear();
 }
 
+void Tile::add_provenance(std::uint32_t sample, core::LightSource source, float share) {
+  if (request_.keep_provenance) core::add_share(provenance_[sample], source, share);
+}
+
 void Tile::log(const Ray& ray, Visible visible, RayQuery query) {
   if (request_.ray_log != nullptr) logged_.push_back({ray, visible, query});
+}
+
+void Tile::keep_provenance(core::ProvenanceImage& image) const {
+  const float share =
+      1.0f / static_cast<float>(request_.samples_per_side * request_.samples_per_side);
+  for (std::size_t s = 0; s < provenance_.size(); ++s) {
+    const SampleResult& sample = paths_.samples[s];
+    core::Provenance& pixel = image.at(sample.pixel_x, sample.pixel_y);
+    for (std::size_t k = 0; k < core::kLightSources; ++k) pixel[k] += share * provenance_[s][k];
+  }
 }
 
 }  // namespace amalgam::trace

@@ -5,15 +5,10 @@
 
 #include "core/tile_grid.h"
 #include "trace/trace_request.h"
+#include "trace/traced_paths.h"
 #include "trace/work_items.h"
 
 namespace amalgam::trace {
-
-// What a tile adds to the TraceResult of the same names.
-struct TileCounts {
-  core::RayCounts rays;
-  std::uint64_t nonfinite = 0, samples = 0, primary_virtual = 0, primary_specular = 0;
-};
 
 // What all tiles of a frame are given.
 struct TileContext {
@@ -35,24 +30,20 @@ class Tile {
   // The whole way of the tile's samples, as a list of verbs.
   void trace();
 
-  // Adds the finished samples to the pixels they belong to. Tiles share no pixel.
-  void resolve(TraceResult& result);
-
-  const TileCounts& counts() const { return counts_; }
+  // What was found; the caller may finish it in place.
+  TilePaths& paths() { return paths_; }
+  const PathCounts& counts() const { return counts_; }
+  // Adds the samples' shares to their pixels, if the request keeps them.
+  void keep_provenance(core::ProvenanceImage& image) const;
   const std::vector<LoggedRay>& logged() const { return logged_; }
 
  private:
-  struct SamplePlace {
-    int pixel_x = 0, pixel_y = 0;
-    bool first_of_pixel = false;
-  };
-
   void generate_primary_rays();
   void take_batch();
   void intersect_rays();
   void shade_hits();
   void add_escaped();
-  void look_up_real();
+  void find_in_camera();
   void spawn_shadow_rays();
   void trace_shadow_rays();
   void add_diffuse();
@@ -67,6 +58,7 @@ class Tile {
   void pass_straight(const RayItem& item, const SurfacePoint& point);
   void spawn(const RayItem& parent, const MetSurface& met, const glm::dvec3& direction,
              const glm::vec3& weight, RayKind kind, const Media& media);
+  void add_provenance(std::uint32_t sample, core::LightSource source, float share);
   void log(const Ray& ray, Visible visible, RayQuery query);
 
   const scene::Material& material(std::uint32_t index) const {
@@ -79,9 +71,8 @@ class Tile {
   double sample_spread_;  // angle between neighbouring samples, radians: how a ray's cone widens
   std::size_t tile_ = 0;
 
-  std::vector<SamplePlace> places_;
-  std::vector<SampleResult> samples_;
-  std::vector<std::uint8_t> sees_real_diffuse_;
+  TilePaths paths_;
+  std::vector<core::Provenance> provenance_;  // by sample, if kept: shares of its weight
 
   // A stack: batches are taken from its end, which bounds its size by the depth.
   std::vector<RayItem> waiting_;
@@ -93,7 +84,7 @@ class Tile {
   std::vector<ShadowItem> shadows_;
   PassedSurfaces passed_;
   std::vector<LoggedRay> logged_;
-  TileCounts counts_;
+  PathCounts counts_;
 };
 
 }  // namespace amalgam::trace

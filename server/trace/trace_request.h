@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -18,6 +19,7 @@
 #include "trace/fresnel.h"
 #include "trace/ray_log.h"
 #include "trace/shadow_bound.h"
+#include "trace/traced_paths.h"
 
 namespace amalgam::trace {
 
@@ -27,6 +29,7 @@ struct TraceSettings {
   // reference stays below 0.5/255 on each scene.
   float importance_cutoff = 0.05f;
   FresnelModel fresnel = FresnelModel::Schlick;
+  bool operator==(const TraceSettings&) const = default;
 };
 
 struct TraceRequest {
@@ -47,10 +50,14 @@ struct TraceRequest {
 
   // Null: real surfaces are seen as they are modelled.
   const CameraView* lookup = nullptr;
+  // Goes with lookup; as large as its camera.
+  const core::ImageRgb8* camera_image = nullptr;
   float exposure = 1.0f;
-  TraceSettings settings;
+  TraceSettings settings{};
   bool keep_images = false;
   bool keep_provenance = false;
+  // 0: paths are not kept. Otherwise they are, unless they take more memory than this, in bytes.
+  std::size_t keep_paths_below = 0;
   RayLog* ray_log = nullptr;  // filled if given
 };
 
@@ -65,11 +72,9 @@ struct TracedImages {
 
 struct TraceResult {
   core::Layers layers;  // traced samples' share of each pixel; the rest is the rasteriser's
-  core::RayCounts rays;
-  std::uint64_t nonfinite = 0;  // sample values replaced by 0
-  std::uint64_t traced_samples = 0;
-  std::uint64_t primary_virtual = 0,
-                primary_specular = 0;  // traced samples whose first surface is so
+  PathCounts counts;
+  std::uint64_t nonfinite = 0;               // sample values replaced by 0
+  std::shared_ptr<const TracedPaths> paths;  // null: not kept
   std::optional<TracedImages> images;
   std::optional<core::ProvenanceImage> provenance;  // of the traced samples
 };

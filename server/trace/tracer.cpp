@@ -3,10 +3,15 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
+#include <atomic>
+#include <limits>
 #include <vector>
 
+#include "core/log.h"
 #include "core/pose.h"
+#include "trace/add_look_ups.h"
 #include "trace/media_at.h"
+#include "trace/resolve_tile.h"
 #include "trace/tile.h"
 
 namespace amalgam::trace {
@@ -25,17 +30,42 @@ TraceResult empty_result(const TraceRequest& request) {
   return result;
 }
 
-void add(TraceResult& result, const TileCounts& tile) {
-  result.rays += tile.rays;
-  result.nonfinite += tile.nonfinite;
-  result.traced_samples += tile.samples;
-  result.primary_virtual += tile.primary_virtual;
-  result.primary_specular += tile.primary_specular;
-}
+// Collects the tiles' paths until they are too many.
+class PathKeeper {
+ public:
+  PathKeeper(const TraceRequest& request, std::size_t tiles) : limit_(request.keep_paths_below) {
+    if (limit_ == 0) return;
+    paths_ = std::make_shared<TracedPaths>();
+    paths_->size = {request.camera.width, request.camera.height};
+    paths_->samples_per_side = request.samples_per_side;
+    paths_->tiles.resize(tiles);
+  }
+
+  // Different tiles may be kept by different threads.
+  void keep(std::size_t tile, const TilePaths& paths) {
+    if (paths_ == nullptr || paths.samples.empty()) return;
+    if (bytes_ += paths.bytes(); bytes_ < limit_) paths_->tiles[tile] = paths;
+  }
+
+  // Null if they were too many.
+  std::shared_ptr<const TracedPaths> take(const PathCounts& counts) {
+    if (paths_ == nullptr || bytes_ >= limit_) return nullptr;
+    paths_->counts = counts;
+    return std::move(paths_);
+  }
+
+ private:
+  std::size_t limit_;
+  std::shared_ptr<TracedPaths> paths_;
+  std::atomic<std::size_t> bytes_ = 0;
+};
 
 }  // namespace
 
 TraceResult trace(const TraceRequest& request) {
+  constexpr int kMostPixels = std::numeric_limits<std::uint16_t>::max();
+  AMALGAM_CHECK(request.camera.width <= kMostPixels && request.camera.height <= kMostPixels,
+                "a picture of more than 65535 pixels a side");
   TraceResult result = empty_result(request);
   std::optional<CameraLookup> lookup;
   if (request.lookup != nullptr) lookup.emplace(*request.lookup);
@@ -45,21 +75,48 @@ TraceResult trace(const TraceRequest& request) {
                             world_from_camera};
 
   const std::size_t tiles = result.layers.grid().count();
-  std::vector<TileCounts> counts(tiles);
+  std::vector<PathCounts> counts(tiles);
+  std::vector<std::uint64_t> nonfinite(tiles);
   std::vector<std::vector<LoggedRay>> logged(request.ray_log != nullptr ? tiles : 0);
+  PathKeeper keeper(request, tiles);
   tbb::enumerable_thread_specific<Tile> workers([&] { return Tile(context); });
   tbb::parallel_for(std::size_t{0}, tiles, [&](std::size_t i) {
     Tile& tile = workers.local();
     tile.start(i);
     tile.trace();
-    tile.resolve(result);
+    keeper.keep(i, tile.paths());
+    if (lookup) add_look_ups(tile.paths(), *request.camera_image, request.exposure);
+    nonfinite[i] =
+        resolve_tile(i, tile.paths(), request.samples_per_side, request.exposure, result);
+    if (result.provenance) tile.keep_provenance(*result.provenance);
     counts[i] = tile.counts();
     if (request.ray_log != nullptr) logged[i] = tile.logged();
   });
-  for (const TileCounts& tile : counts) add(result, tile);
+  for (const PathCounts& tile : counts) result.counts += tile;
+  for (const std::uint64_t tile : nonfinite) result.nonfinite += tile;
   for (const auto& rays : logged) {
     request.ray_log->rays.insert(request.ray_log->rays.end(), rays.begin(), rays.end());
   }
+  result.paths = keeper.take(result.counts);
+  return result;
+}
+
+TraceResult look_up_again(const TracedPaths& paths, const core::ImageRgb8& camera_image,
+                          float exposure) {
+  TraceResult result;
+  result.layers = core::Layers(paths.size);
+  result.counts = paths.counts;
+  result.counts.rays = {.reused = paths.counts.rays.cast()};
+  std::atomic<std::uint64_t> nonfinite = 0;  // a sum of integers: in any order
+  tbb::enumerable_thread_specific<TilePaths> workers;
+  tbb::parallel_for(std::size_t{0}, paths.tiles.size(), [&](std::size_t i) {
+    if (paths.tiles[i].samples.empty()) return;
+    TilePaths& tile = workers.local();
+    tile = paths.tiles[i];
+    add_look_ups(tile, camera_image, exposure);
+    nonfinite += resolve_tile(i, tile, paths.samples_per_side, exposure, result);
+  });
+  result.nonfinite = nonfinite;
   return result;
 }
 

@@ -1,7 +1,7 @@
 // What flows between the verbs of the tracer: declared here, before any of them.
 //
 // All colours are scene-linear unless they say display-linear. "Sample" is an index into the tile's
-// SampleResults.
+// SampleResults (tile_paths.h).
 #pragma once
 
 #include <array>
@@ -71,7 +71,7 @@ struct DiffuseItem {
   glm::vec3 weight{0.0f};
   std::uint32_t sample = 0;
   RealColor real_color = RealColor::LookedUp;
-  std::optional<CameraSample> seen{};  // of a real surface: the camera's colour there
+  std::optional<CameraPlace> seen{};  // of a real surface: where the camera sees it
 
   // The camera says what the surface looks like; all that is asked of the lights is what virtual
   // objects change in it.
@@ -98,15 +98,6 @@ struct ShadowAttenuation {
 struct DiffuseRadiance {
   glm::vec3 mixed{0.0f};
   glm::vec3 real{0.0f};
-};
-
-// What a sample has gathered. I_e is display-linear.
-struct SampleResult {
-  glm::vec3 mixed{0.0f};                   // I_m
-  glm::vec3 real{0.0f};                    // I_r
-  glm::vec3 environment_reflection{0.0f};  // I_e
-  bool met_virtual = false;                // M_v, eq. 4.9
-  core::Provenance provenance{};           // shares of the sample's weight
 };
 
 }  // namespace amalgam::trace

@@ -17,6 +17,7 @@ namespace amalgam::bench {
 frame::RendererSettings default_settings() {
   frame::RendererSettings settings;
   settings.threads = bench_cores();
+  settings.reuse_still_frames = false;  // a moving camera, although it stands here
   return settings;
 }
 

@@ -22,7 +22,7 @@ struct Point {
 };
 
 std::uint64_t all_rays(const core::RayCounts& rays) {
-  return rays.primary + rays.reflection + rays.refraction + rays.shadow + rays.lookup;
+  return rays.cast();
 }
 
 core::ImageRgb32f converged_composite(const ParityCase& parity_case) {

@@ -106,7 +106,7 @@ TEST(AirBubbleModellings, GiveTheSamePicture) {
     worst = std::max(worst, glm::length(difference));
   }
   EXPECT_LT(worst, 1e-4f);
-  EXPECT_GT(of_air.rays.refraction, 64u * 64u);
+  EXPECT_GT(of_air.counts.rays.refraction, 64u * 64u);
 }
 
 }  // namespace

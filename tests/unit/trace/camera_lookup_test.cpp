@@ -6,6 +6,7 @@
 
 #include "scene/tone_map.h"
 #include "support/scene_builders.h"
+#include "trace/add_look_ups.h"
 
 namespace amalgam::trace {
 namespace {
@@ -23,10 +24,9 @@ class CameraLookupTest : public testing::Test {
     for (int y = 0; y < 48; ++y) {
       for (int x = 0; x < 64; ++x) image_.at(x, y) = core::Rgb8(4 * x, 5 * y, 100);
     }
-    view_.image = &image_;
   }
 
-  std::optional<CameraSample> look_up(const glm::vec3& position, const glm::vec3& normal) {
+  std::optional<CameraPlace> look_up(const glm::vec3& position, const glm::vec3& normal) {
     EmbreeScene embree(scene_);
     scene::AnchoredScene anchored;
     for (std::uint32_t i = 0; i < scene_.instances.size(); ++i) {
@@ -37,7 +37,7 @@ class CameraLookupTest : public testing::Test {
     point.position = point.inside = position;
     point.geometric_normal = normal;
     point.offset = offset_height(5.0f);  // the wall's
-    return CameraLookup(view_).look_up(embree, point, lookup_rays_);
+    return CameraLookup(view_).find(embree, point, lookup_rays_);
   }
 
   scene::Scene scene_;
@@ -54,7 +54,8 @@ TEST_F(CameraLookupTest, ReturnsTheCamerasOwnColour) {
   const auto seen = look_up(position, kTowards);
   ASSERT_TRUE(seen);
   EXPECT_FLOAT_EQ(seen->trust, 1.0f);
-  const glm::vec3 shown = scene::tone_map(seen->radiance, view_.exposure);
+  const float exposure = 0.7f;
+  const glm::vec3 shown = scene::tone_map(camera_radiance(image_, seen->pixel, exposure), exposure);
   const auto at =
       core::project(view_.camera, glm::dvec3(view_.camera_from_world * glm::dvec4(position, 1.0)));
   ASSERT_TRUE(at);

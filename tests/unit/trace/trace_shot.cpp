@@ -27,10 +27,7 @@ TraceResult trace_shot(const scene::Scene& scene, const Shot& shot) {
   const core::CameraModel camera =
       test_support::make_pinhole(shot.width, shot.height, shot.focal_length);
   const glm::dmat4 camera_from_world = test_support::look_at(shot.eye, shot.target);
-  CameraView lookup{.camera = camera,
-                    .camera_from_world = camera_from_world,
-                    .image = shot.camera_image,
-                    .ideal = camera};
+  CameraView lookup{.camera = camera, .camera_from_world = camera_from_world, .ideal = camera};
   return trace({.scene = embree,
                 .lights = shot.lights,
                 .environment = shot.environment,
@@ -38,6 +35,7 @@ TraceResult trace_shot(const scene::Scene& scene, const Shot& shot) {
                 .camera_from_world = camera_from_world,
                 .samples_per_side = shot.samples_per_side,
                 .lookup = shot.camera_image != nullptr ? &lookup : nullptr,
+                .camera_image = shot.camera_image,
                 .settings = shot.settings,
                 .keep_images = true});
 }

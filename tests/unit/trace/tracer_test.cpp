@@ -95,7 +95,7 @@ TEST(Tracer, FurnaceHidesGlass) {
   for (const auto& pixel : {glm::ivec2(24, 24), glm::ivec2(15, 20), glm::ivec2(24, 12)}) {
     EXPECT_NEAR(result.images->mixed.at(pixel.x, pixel.y).x, 1.0f, 1e-4f);
   }
-  EXPECT_GT(result.rays.refraction, 0u);
+  EXPECT_GT(result.counts.rays.refraction, 0u);
   EXPECT_EQ(result.nonfinite, 0u);
 }
 
@@ -119,7 +119,7 @@ TEST(Tracer, MirrorBoxHasNoAcne) {
                     .focal_length = 40};
     const TraceResult result = trace_shot(scene, shot);
     // Each ray bounces to the limit: fewer rays mean that some escaped through a wall.
-    EXPECT_EQ(result.rays.reflection, 64u * 64u * 8u) << far;
+    EXPECT_EQ(result.counts.rays.reflection, 64u * 64u * 8u) << far;
   }
 }
 

@@ -1,0 +1,43 @@
+// What the rays of one tile found, apart from the camera's colours: while nothing moves, these stay
+// as they are and only the colours are looked up again.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <vector>
+
+namespace amalgam::trace {
+
+// What a sample has gathered. Scene-linear, but I_e is display-linear.
+struct SampleResult {
+  glm::vec3 mixed{0.0f};                   // I_m
+  glm::vec3 real{0.0f};                    // I_r
+  glm::vec3 environment_reflection{0.0f};  // I_e
+  std::uint16_t pixel_x = 0, pixel_y = 0;  // of the picture
+  bool met_virtual = false;                // M_v, eq. 4.9
+  bool sees_real_diffuse = false;          // directly
+  bool first_of_pixel = false;
+};
+
+// A real surface at the end of a ray, of which the camera sees the colour.
+struct LookUp {
+  glm::vec3 weight{0.0f};          // share of the sample's light
+  std::uint32_t sample = 0;        // index into TilePaths::samples
+  glm::vec2 pixel{0.0f};           // where the camera sees it; centres are integers
+  float trust = 0.0f;              // CameraPlace::trust
+  glm::vec3 modelled_mixed{0.0f};  // radiance without the camera, scene-linear
+  glm::vec3 modelled_real{0.0f};
+};
+
+struct TilePaths {
+  std::vector<SampleResult> samples;
+  std::vector<LookUp> look_ups;  // not yet in the samples
+
+  std::size_t bytes() const {
+    return samples.size() * sizeof(SampleResult) + look_ups.size() * sizeof(LookUp);
+  }
+};
+
+}  // namespace amalgam::trace
