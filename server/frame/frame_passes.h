@@ -40,7 +40,7 @@ struct FrameRequest {
   bool keep_buffers = false;
 };
 
-// Handles to all that somebody may ask of a frame. Unset where the mode has no such thing.
+// Handles to all that somebody may ask of a frame. All are set: what the mode has not is absent.
 struct FramePasses {
   graph::Handle<passes::CameraImage> camera_image;
   graph::Handle<float> exposure;
