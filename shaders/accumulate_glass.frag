@@ -8,7 +8,7 @@
 #include "shadow.glsl"
 
 
-layout(location = 0) out vec4 depth_and_nearest;
+out vec4 depth_and_nearest;
 
 void main() {
   vec4 color = base_color();

@@ -12,18 +12,17 @@ LightArrival light_arrival(Light light, vec3 point) {
 #if FEW_SUNS
   return LightArrival(light.to_light, light.intensity);
 #else
-  if (light.kind == 0u) return LightArrival(light.to_light, light.intensity);
+  if (light.kind == kDirectionalLight) return LightArrival(light.to_light, light.intensity);
   vec3 offset = light.position - point;
-  const float kMinDistance = 1e-4;
-  float d = max(length(offset), kMinDistance);
+  float d = max(length(offset), kMinLightDistance);
   vec3 to_light = offset / d;
   float window = 1.0;
   if (light.range > 0.0) {
     float ratio = d / light.range;
     window = clamp(1.0 - ratio * ratio * ratio * ratio, 0.0, 1.0);
   }
-  if (light.kind == 2u) {
-    float scale = 1.0 / max(0.001, light.cos_inner - light.cos_outer);
+  if (light.kind == kSpotLight) {
+    float scale = 1.0 / max(kMinConeWidth, light.cos_inner - light.cos_outer);
     float cone = clamp((dot(light.to_light, to_light) - light.cos_outer) * scale, 0.0, 1.0);
     window *= cone * cone;
   }
@@ -38,7 +37,6 @@ struct PhongTerms {
 };
 
 PhongTerms phong_terms(vec3 color, MetallicRoughness point) {
-  const float kDielectricF0 = 0.04;
   return PhongTerms(color * (1.0 - point.metallic) * (1.0 - kDielectricF0),
                     mix(vec3(kDielectricF0), color, point.metallic), point.phong_exponent);
 }

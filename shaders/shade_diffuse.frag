@@ -10,18 +10,18 @@
 #include "shadow.glsl"
 
 layout(early_fragment_tests) in;
-layout(binding = 1) uniform usampler2D mask_flags;
-layout(location = 1) uniform uint light_count;
-layout(location = 3) uniform int mask_step;  // samples from one fragment to the next
+layout(binding = kMaskUnit) uniform usampler2D mask_flags;
+layout(location = kLightCountLocation) uniform uint light_count;
+// Samples from one fragment to the next.
+layout(location = kMaskStepLocation) uniform int mask_step;
 
 // Of each tile: bit i for light i, if something virtual may take of its light there.
-layout(binding = 6) uniform usampler2D tile_lights;
-layout(location = 4) uniform int samples_of_tile;  // fragments a side
+layout(binding = kTileLightsUnit) uniform usampler2D tile_lights;
+// Fragments a side.
+layout(location = kSamplesOfTileLocation) uniform int samples_of_tile;
 
-layout(location = 0) out vec4 mixed_image;
-layout(location = 1) out vec4 real_image;
-
-const uint kVirtual = 1u;
+layout(location = kMixedOutput) out vec4 mixed_image;
+layout(location = kRealOutput) out vec4 real_image;
 
 struct DiffusePoint {
   PhongTerms terms;
@@ -50,16 +50,16 @@ vec3 added_attenuation(Light light, vec3 geometric_normal) {
 }
 
 #if FEW_SUNS
-// At most eight lights, all of them directional. What virtual objects let through is asked for in a
-// loop over those lights alone that a virtual caster's shadow may come from in this tile: software GL
-// leaves nothing out in an `if`, but it does leave loops. All else is written out light by light: with
-// an index that the compiler knows, it reads each light once for all fragments. What is beyond the
-// light count has no direction, and so adds nothing.
+// At most kFewSuns lights, all of them directional. What virtual objects let through is asked for in
+// a loop over those lights alone that a virtual caster's shadow may come from in this tile: software
+// GL leaves nothing out in an `if`, but it does leave loops. All else is written out light by light:
+// with an index that the compiler knows, it reads each light once for all fragments. What is beyond
+// the light count has no direction, and so adds nothing.
 void add_lights(DiffusePoint point, inout vec3 mixed, inout vec3 real) {
   uint waiting = texelFetch(tile_lights, ivec2(gl_FragCoord.xy) / samples_of_tile, 0).r;
   vec3 a0 = vec3(1.0), a1 = a0, a2 = a0, a3 = a0, a4 = a0, a5 = a0, a6 = a0, a7 = a0;
   do {
-    uint i = waiting == 0u ? 8u : uint(findLSB(waiting));
+    uint i = waiting == 0u ? kFewSuns : uint(findLSB(waiting));
     vec3 added = added_attenuation(lights[i], point.normals.geometric);
     a0 = i == 0u ? added : a0;
     a1 = i == 1u ? added : a1;
@@ -106,7 +106,7 @@ void main() {
   vec3 mixed = emission();
   vec3 real = mixed;
   add_lights(point, mixed, real);
-  bool is_virtual = (surface_flags & kVirtual) != 0u;
+  bool is_virtual = (surface_flags & kVirtualFlag) != 0u;
   mixed_image = vec4(mixed, is_virtual ? 1.0 : 0.0);
   real_image = is_virtual ? vec4(0.0) : vec4(real, 1.0);
 }

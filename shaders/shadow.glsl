@@ -28,11 +28,13 @@ float glass_reflectance(float cosine) {
 }
 
 #ifdef RECEIVES_SHADOWS
-layout(binding = 2) uniform sampler2DArrayShadow real_opaque_map;
-layout(binding = 3) uniform sampler2DArrayShadow virtual_opaque_map;
-layout(binding = 4) uniform sampler2DArray real_glass_map;
-layout(binding = 5) uniform sampler2DArray virtual_glass_map;
-layout(location = 2) uniform uint shadow_maps_present;
+layout(binding = kShadowMapUnit + kRealOpaque) uniform sampler2DArrayShadow real_opaque_map;
+layout(binding = kShadowMapUnit + kVirtualOpaque) uniform sampler2DArrayShadow virtual_opaque_map;
+layout(binding = kShadowMapUnit + kRealGlass) uniform sampler2DArray real_glass_map;
+layout(binding = kShadowMapUnit + kVirtualGlass) uniform sampler2DArray virtual_glass_map;
+layout(location = kShadowMapsPresentLocation) uniform uint shadow_maps_present;
+
+bool has_map(uint casters) { return (shadow_maps_present >> casters & 1u) != 0u; }
 
 // The side of a cube that a direction points to (+x -x +y -y +z -z), and its clip coordinates there:
 // the other two axes in cyclic order.
@@ -53,22 +55,21 @@ vec4 cube_clip(vec3 d, float tangent, float near, out uint side) {
 // Where to look: xy in the map, layer, reversed depth of the receiver.
 vec4 shadow_lookup(Light light, vec3 point, vec3 geometric_normal, vec3 to_light) {
   float texel = light.texel;
-  if (light.kind != 0u) texel *= distance(point, light.position);
+  if (light.kind != kDirectionalLight) texel *= distance(point, light.position);
   // A plane at angle a to the light changes its depth by d tan(a) within d; a step of d sin(a) along
-  // its normal makes up for it. d: half a texel's diagonal and the filter's reach, 1.5 texels.
+  // its normal makes up for it. d: half a texel's diagonal and the filter's reach.
   float cosine = dot(geometric_normal, to_light);
   float sine = sqrt(max(1.0 - cosine * cosine, 0.0));
-  vec3 lifted = point + geometric_normal * (1.5 * texel * sine);
+  vec3 lifted = point + geometric_normal * (kShadowLift * texel * sine);
 
   uint side = 0u;
   vec4 clip = light.clip_from_world * vec4(lifted, 1.0);
-  if (light.layer_count == 6u) {
-    const float kNearPlane = 0.01;
+  if (light.layer_count == kCubeSides) {
     clip = cube_clip(lifted - light.position, light.clip_from_world[0][0], kNearPlane, side);
   }
   const float kRounding = 1e-5;  // of depth, [0, 1]; perspective depth: relative
   vec3 ndc = clip.xyz / clip.w;
-  float depth = light.kind == 0u ? ndc.z + kRounding : ndc.z * (1.0 + kRounding);
+  float depth = light.kind == kDirectionalLight ? ndc.z + kRounding : ndc.z * (1.0 + kRounding);
   // Behind a spot light, where no light is either.
   if (!(clip.w > 0.0)) return vec4(0.5, 0.5, 0.0, 2.0);
   return vec4(0.5 * ndc.xy + 0.5, float(light.first_layer + side), depth);
@@ -106,10 +107,10 @@ vec3 glass_attenuation(sampler2DArray map, vec4 lookup) {
 vec3 real_attenuation(vec4 lookup) {
   vec3 real = vec3(1.0);
 #if HAS_REAL_OPAQUE && !IS_LONE_PLANE
-  if ((shadow_maps_present & 1u) != 0u) real *= opaque_attenuation(real_opaque_map, lookup);
+  if (has_map(kRealOpaque)) real *= opaque_attenuation(real_opaque_map, lookup);
 #endif
 #if HAS_REAL_GLASS
-  if ((shadow_maps_present & 4u) != 0u) real *= glass_attenuation(real_glass_map, lookup);
+  if (has_map(kRealGlass)) real *= glass_attenuation(real_glass_map, lookup);
 #endif
   return real;
 }
@@ -119,10 +120,10 @@ vec3 real_attenuation(vec4 lookup) {
 vec3 virtual_attenuation(vec4 lookup) {
   vec3 added = vec3(1.0);
 #if HAS_VIRTUAL_OPAQUE
-  if ((shadow_maps_present & 2u) != 0u) added *= opaque_attenuation(virtual_opaque_map, lookup);
+  if (has_map(kVirtualOpaque)) added *= opaque_attenuation(virtual_opaque_map, lookup);
 #endif
 #if HAS_VIRTUAL_GLASS
-  if ((shadow_maps_present & 8u) != 0u) added *= glass_attenuation(virtual_glass_map, lookup);
+  if (has_map(kVirtualGlass)) added *= glass_attenuation(virtual_glass_map, lookup);
 #endif
   return added;
 }

@@ -1,21 +1,21 @@
 // A surface's vertices, and what of them goes on to its fragments (surface_inputs.glsl).
-layout(location = 0) in vec3 position;
-layout(location = 1) in vec3 normal;
-layout(location = 2) in vec2 uv;
-layout(location = 0) out vec3 world_position;
-layout(location = 1) out vec3 world_normal;  // not unit: normalised where it is used
-layout(location = 2) out vec2 surface_uv;
+layout(location = kPositionAttribute) in vec3 position;
+layout(location = kNormalAttribute) in vec3 normal;
+layout(location = kUvAttribute) in vec2 uv;
+out vec3 world_position;
+out vec3 world_normal;  // not unit: normalised where it is used
+out vec2 surface_uv;
 #if HAS_VERTEX_COLORS
-layout(location = 3) in vec4 color;
-layout(location = 3) out vec4 surface_color;
+layout(location = kColorAttribute) in vec4 color;
+out vec4 surface_color;
 #endif
 #if HAS_NORMAL_TEXTURE
-layout(location = 4) in vec4 tangent;
-layout(location = 4) out vec4 mesh_tangent;
+layout(location = kTangentAttribute) in vec4 tangent;
+out vec4 mesh_tangent;
 #endif
 #if HAS_SECOND_UVS
-layout(location = 5) in vec2 second_uv;
-layout(location = 5) out vec2 second_surface_uv;
+layout(location = kSecondUvAttribute) in vec2 second_uv;
+out vec2 second_surface_uv;
 #endif
 
 void write_surface_outputs() {

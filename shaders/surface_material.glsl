@@ -6,30 +6,31 @@
 // of a camera ray; lights see the full size, in both renderers.
 #include "texture_lookup.glsl"
 
-const uint kBaseColorSlot = 0u, kMetallicRoughnessSlot = 1u, kEmissiveSlot = 2u,
-           kTransmissionSlot = 3u, kNormalSlot = 4u;  // scene::TextureSlot
-
 #if HAS_BASE_COLOR_TEXTURE
-layout(binding = 0) uniform usampler2D base_color_texture;
+layout(binding = kBaseColorUnit) uniform usampler2D base_color_texture;
 #endif
 #if HAS_METALLIC_ROUGHNESS_TEXTURE
-layout(binding = 8) uniform usampler2D metallic_roughness_texture;
+layout(binding = kMetallicRoughnessUnit) uniform usampler2D metallic_roughness_texture;
 #endif
 #if HAS_EMISSIVE_TEXTURE
-layout(binding = 9) uniform usampler2D emissive_texture;
+layout(binding = kEmissiveUnit) uniform usampler2D emissive_texture;
 #endif
 #if HAS_TRANSMISSION_TEXTURE
-layout(binding = 10) uniform usampler2D transmission_texture;
+layout(binding = kTransmissionUnit) uniform usampler2D transmission_texture;
 #endif
 #if HAS_NORMAL_TEXTURE
-layout(binding = 11) uniform usampler2D normal_texture;
+layout(binding = kNormalUnit) uniform usampler2D normal_texture;
 #endif
 #if HAS_SECOND_UVS
-layout(std430, binding = 1) readonly buffer SecondUvAreas { float second_uv_areas[]; };
+layout(std430, binding = kSecondUvAreasBinding) readonly buffer SecondUvAreas {
+  float second_uv_areas[];
+};
 #endif
 
 bool has_texture(uint slot) { return (material.textures >> slot & 1u) != 0u; }
-bool reads_second_uvs(uint slot) { return (material.textures >> (slot + 8u) & 1u) != 0u; }
+bool reads_second_uvs(uint slot) {
+  return (material.textures >> (slot + kSecondUvsBit) & 1u) != 0u;
+}
 
 float uv_footprint(float uv_area_per_mesh_area) {
 #if FROM_CAMERA
@@ -39,7 +40,7 @@ float uv_footprint(float uv_area_per_mesh_area) {
   vec3 to_eye = eye_in_world - world_position;
   float far = length(to_eye);
   float cosine = abs(dot(outside, to_eye)) / (outside_length * far);
-  float side = sample_spread * far / max(cosine, 1e-4);
+  float side = sample_spread * far / max(cosine, kMinFootprintCosine);
   return uv_area_per_mesh_area / world_area_per_mesh_area * side * side;
 #else
   return 0.0;
@@ -47,10 +48,11 @@ float uv_footprint(float uv_area_per_mesh_area) {
 }
 
 vec4 sample_slot(usampler2D map, uint slot, bool is_color) {
-  uint wraps = material.wraps >> (4u * slot);
-  uvec2 wrap = uvec2(wraps & 3u, wraps >> 2 & 3u);
+  const uint kWrapMask = (1u << kWrapBits) - 1u;
+  uint wraps = material.wraps >> (2u * kWrapBits * slot);
+  uvec2 wrap = uvec2(wraps & kWrapMask, wraps >> kWrapBits & kWrapMask);
   uint packed_size = slot == kNormalSlot ? material.normal_map_size : material.map_sizes[slot];
-  ivec2 full = ivec2(packed_size & 0xFFFFu, packed_size >> 16);
+  ivec2 full = ivec2(packed_size & (1u << kMapSizeBits) - 1u, packed_size >> kMapSizeBits);
 #if HAS_SECOND_UVS
   if (reads_second_uvs(slot)) {
     return sample_map(map, full, second_surface_uv, wrap,
@@ -102,7 +104,8 @@ MetallicRoughness metallic_roughness() {
     float roughness = material.roughness * texel.g;
     float alpha = roughness * roughness;
     return MetallicRoughness(material.metallic * texel.b,
-                             clamp(0.5 / max(alpha * alpha, 1e-6) - 0.5, 0.0, 1024.0));
+                             clamp(0.5 / max(alpha * alpha, kMinSquaredAlpha) - 0.5, 0.0,
+                                   kMaxPhongExponent));
   }
 #endif
   return MetallicRoughness(material.metallic, material.phong_exponent);
@@ -125,7 +128,7 @@ vec3 bent_normal(vec3 normal) {
   vec3 along = mat3(world_from_mesh) * mesh_tangent.xyz;
   vec3 flat_along = along - dot(along, normal) * normal;
   float flat_length = length(flat_along);
-  if (!(flat_length > 1e-6 * length(along))) return normal;
+  if (!(flat_length > kMinTangentShare * length(along))) return normal;
   vec3 x = flat_along / flat_length;
   // Mirroring turns the normal outside again, and with it the cross product round.
   float mirrored = normal_from_mesh[3][3] < 0.0 ? -1.0 : 1.0;

@@ -9,9 +9,9 @@ float decode_texel(uint byte, bool is_color) {
   return is_color ? srgb_table[byte >> 2][byte & 3u] : float(byte) / 255.0;
 }
 
-int wrap_texel(int i, int size, uint wrap) {  // 0 repeat, 1 mirror, 2 clamp
-  if (wrap == 2u) return clamp(i, 0, size - 1);
-  int period = wrap == 0u ? size : 2 * size;
+int wrap_texel(int i, int size, uint wrap) {
+  if (wrap == kWrapClamp) return clamp(i, 0, size - 1);
+  int period = wrap == kWrapRepeat ? size : 2 * size;
   // The remainder of a negative number is undefined in GLSL.
   int m = i >= 0 ? i % period : period - 1 - (-1 - i) % period;
   return m < size ? m : period - 1 - m;
@@ -36,7 +36,7 @@ vec4 sample_level(usampler2D map, ivec2 full, vec2 uv, uvec2 wrap, int level, bo
   ivec2 at = level == 0 ? ivec2(0) : ivec2(full.x, rows_down_to(level - 1, full.y));
   ivec2 size = max(full >> level, 1);
   vec2 p = uv * vec2(size) - 0.5;
-  if (!(abs(p.x) < 1e9) || !(abs(p.y) < 1e9)) return vec4(0.0, 0.0, 0.0, 1.0);
+  if (!(abs(p.x) < kMaxTexelPlace) || !(abs(p.y) < kMaxTexelPlace)) return vec4(0.0, 0.0, 0.0, 1.0);
   vec2 whole = floor(p);
   vec2 f = p - whole;
   int x0 = at.x + wrap_texel(int(whole.x), size.x, wrap.x);

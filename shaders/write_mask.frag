@@ -4,7 +4,7 @@
 #include "surface_inputs.glsl"
 #include "surface_material.glsl"
 
-layout(location = 0) out uint flags;
+out uint flags;
 
 void main() {
   if (is_cut_out(base_color())) discard;

@@ -16,6 +16,8 @@
 namespace amalgam::frame {
 namespace {
 
+constexpr const char* kNoSpecular = "no specular object in the scene";
+
 // Why this frame cannot show anything virtual, whatever the camera sees; nothing if it might.
 std::optional<std::string> reason_for_nothing(const SceneResources& resources,
                                               const FrameRequest& request) {
@@ -90,15 +92,36 @@ void add_hybrid_passes(graph::FrameGraph& graph, const SceneResources& resources
   frame.rasterised_nonfinite = resolved.nonfinite;
 
   if (!resources.features.has_specular) {
-    graph.note_left_out("real depth", "no specular object in the scene");
-    graph.note_left_out("trace", "no specular object in the scene");
+    graph.note_left_out("real depth", kNoSpecular);
+    graph.note_left_out("trace", kNoSpecular);
+    frame.virtual_shadows =
+        graph.absent<passes::VirtualShadows>("virtual shadow bound", kNoSpecular);
+    frame.real_depth = graph.absent<passes::RealDepth>("real-only depth", kNoSpecular);
+    frame.traced = graph.absent<trace::TraceResult>("traced layers", kNoSpecular);
     return;
   }
-  if (request.settings.leave_out_tiles)
-    frame.virtual_shadows = passes::add_shadow_bound_pass(graph, shadows);
+  frame.virtual_shadows =
+      request.settings.leave_out_tiles
+          ? passes::add_shadow_bound_pass(graph, shadows)
+          : graph.absent<passes::VirtualShadows>("virtual shadow bound",
+                                                 "the settings leave nothing out by tile");
   frame.real_depth =
       passes::add_real_depth_pass(graph, {raster, view, device_view, frame.mask.specular}).depth;
   frame.traced = passes::add_trace_pass(graph, trace_inputs(resources, request, frame));
+}
+
+// What there is only where something is rasterised.
+void leave_out_rasterised(graph::FrameGraph& graph, const std::string& reason, FramePasses& frame) {
+  frame.mask.device = graph.absent<passes::DeviceMask>("device mask", reason);
+  frame.mask.mask = graph.absent<passes::SampleMask>("M_v and M_r", reason);
+  frame.mask.counts = graph.absent<passes::SampleCounts>("sample counts", reason);
+  frame.mask.diffuse = graph.absent<passes::DiffuseSamples>("diffuse samples", reason);
+  frame.diffuse.mixed = graph.absent<passes::DeviceImage>("I_m", reason);
+  frame.diffuse.real = graph.absent<passes::DeviceImage>("I_r", reason);
+  frame.rasterised = graph.absent<passes::Layers>("diffuse layers", reason);
+  frame.rasterised_nonfinite = graph.absent<std::uint64_t>("non-finite diffuse values", reason);
+  frame.virtual_shadows = graph.absent<passes::VirtualShadows>("virtual shadow bound", reason);
+  frame.real_depth = graph.absent<passes::RealDepth>("real-only depth", reason);
 }
 
 // Trace every sample.
@@ -109,6 +132,7 @@ void add_raytrace_passes(graph::FrameGraph& graph, const SceneResources& resourc
   frame.mask.specular = nothing
                             ? graph.absent<passes::SpecularSamples>("samples to trace", *nothing)
                             : graph.import("samples to trace", passes::SpecularSamples{});
+  leave_out_rasterised(graph, nothing.value_or("every sample is traced"), frame);
   const auto& environment = resources.scene.environment;
   frame.meter_grid = passes::add_traced_meter_pass(
       graph,
@@ -158,7 +182,12 @@ void add_refinement(graph::FrameGraph& graph, const SceneResources& resources,
                     const FrameRequest& request, FramePasses& frame) {
   const RendererSettings& settings = request.settings;
   const bool traced_edges = settings.trace_shadow_edges && resources.raster != nullptr;
-  if (!settings.adaptive_threshold && !traced_edges) return;
+  if (!settings.adaptive_threshold && !traced_edges) {
+    frame.refinement = graph.absent<passes::Refinement>(
+        "refinement", settings.trace_shadow_edges ? "every sample is traced"
+                                                  : "the settings ask for no refinement");
+    return;
+  }
   const bool adaptive = settings.adaptive_threshold.has_value();
   const auto refined = passes::add_refine_pass(
       graph, {.trace = trace_inputs(resources, request, frame),
@@ -188,7 +217,8 @@ FramePasses add_frame_passes(graph::FrameGraph& graph, const SceneResources& res
   } else if (resources.embree != nullptr) {
     frame.placed = passes::add_place_instances_pass(graph, request.render_view, *resources.embree);
   } else {
-    graph.note_left_out("place instances", "no specular object in the scene");
+    graph.note_left_out("place instances", kNoSpecular);
+    frame.placed = graph.absent<passes::PlacedScene>("placed scene", kNoSpecular);
   }
   if (still) {
     add_still_passes(graph, resources, request, frame);

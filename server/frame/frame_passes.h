@@ -43,7 +43,7 @@ struct FrameRequest {
   bool keep_still = false;            // leave something for the next equal frame
 };
 
-// Handles to all that somebody may ask of a frame. Unset where the mode has no such thing.
+// Handles to all that somebody may ask of a frame. All are set: what the mode has not is absent.
 struct FramePasses {
   std::optional<std::string> nothing;  // why nothing virtual can show, if that is known beforehand
   graph::Handle<passes::CameraImage> camera_image;

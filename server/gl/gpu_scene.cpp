@@ -85,10 +85,10 @@ GpuMaterial describe_material(const scene::Scene& scene, const scene::Material& 
     if (!index) continue;
     const scene::Texture& texture = scene.textures[*index];
     const auto wrap = static_cast<std::uint32_t>(texture.wrap_u) |
-                      static_cast<std::uint32_t>(texture.wrap_v) << 2;
-    gpu.wraps |= wrap << 4 * static_cast<unsigned>(slot);
+                      static_cast<std::uint32_t>(texture.wrap_v) << kWrapBits;
+    gpu.wraps |= wrap << 2 * kWrapBits * static_cast<unsigned>(slot);
     const glm::uvec2 size(texture.texels.size());
-    gpu.map_sizes[static_cast<std::size_t>(slot)] = size.x | size.y << 16;
+    gpu.map_sizes[static_cast<std::size_t>(slot)] = size.x | size.y << kMapSizeBits;
   }
   return gpu;
 }
@@ -101,7 +101,8 @@ std::uint32_t texture_bits(const scene::Material& material, const scene::Mesh& m
     if (!scene::has_texture(material, mesh, slot)) continue;
     if (slot == scene::TextureSlot::Normal && mesh.tangents.empty()) continue;
     bits |= 1u << static_cast<unsigned>(slot);
-    if (material.reads_second_uvs(slot)) bits |= 1u << (8 + static_cast<unsigned>(slot));
+    if (material.reads_second_uvs(slot))
+      bits |= 1u << (kSecondUvsBit + static_cast<unsigned>(slot));
   }
   return bits;
 }
@@ -140,7 +141,7 @@ Texture upload_texture(const scene::Texture& texture) {
 
 // As four to a vector: std140 would pad single floats to 16 bytes.
 Buffer upload_srgb_table() {
-  std::array<float, 256> table{};
+  std::array<float, kSrgbTableSize> table{};
   for (std::size_t i = 0; i < table.size(); ++i) {
     table[i] = scene::srgb_decode(static_cast<std::uint8_t>(i));
   }
@@ -157,8 +158,8 @@ SceneFeatures find_features(const scene::Scene& scene) {
     const scene::Material& material = scene.materials[instance.material];
     const scene::Mesh& mesh = scene.meshes[instance.mesh];
     const std::uint32_t bits = texture_bits(material, mesh);
-    features.textures |= bits & 0xFFu;
-    features.second_uvs = features.second_uvs || bits >> 8 != 0;
+    features.textures |= bits & ((1u << kSecondUvsBit) - 1u);
+    features.second_uvs = features.second_uvs || bits >> kSecondUvsBit != 0;
     features.vertex_colors = features.vertex_colors || !mesh.colors.empty();
     const bool real = instance.role == scene::Role::Real;
     const bool glass = material.kind == scene::MaterialKind::Dielectric;

@@ -1,5 +1,6 @@
-// What C++ and GLSL agree on: bindings, locations and the layout of buffers. The other half of this
-// file is shaders/interface.glsl.
+// What C++ and GLSL agree on: bindings, locations, limits and the layout of buffers. Shaders get
+// the numbers from here, by name (gl/shader_constants.h); the structs are written once more in
+// shaders/interface.glsl.
 //
 // Nearly everything is a uniform block, bound by range where there is one entry for each draw:
 // software GL reads those once for all fragments, but shader storage once for each.
@@ -29,13 +30,16 @@ constexpr unsigned kSecondUvAreasBinding = 1;
 // Texture units.
 constexpr unsigned kBaseColorUnit = 0;
 constexpr unsigned kMaskUnit = 1;
-constexpr unsigned kShadowMapUnit = 2;  // and the next three, in the order of CasterClass
+constexpr unsigned kShadowMapUnit = 2;  // and the next three, by CasterClass
 constexpr unsigned kTileLightsUnit = 6;
 constexpr unsigned kMetallicRoughnessUnit = 8;
 constexpr unsigned kEmissiveUnit = 9;
 constexpr unsigned kTransmissionUnit = 10;
 constexpr unsigned kNormalUnit = 11;
-// Vertex attributes beyond position, normal and uv (gl/vertex_array.h).
+// Vertex attributes.
+constexpr unsigned kPositionAttribute = 0;
+constexpr unsigned kNormalAttribute = 1;
+constexpr unsigned kUvAttribute = 2;
 constexpr unsigned kColorAttribute = 3;
 constexpr unsigned kTangentAttribute = 4;
 constexpr unsigned kSecondUvAttribute = 5;
@@ -44,10 +48,35 @@ constexpr int kLightCountLocation = 1;
 constexpr int kShadowMapsPresentLocation = 2;  // bit i: the map of CasterClass i is bound
 constexpr int kMaskStepLocation = 3;
 constexpr int kSamplesOfTileLocation = 4;
+// Colours that shade_diffuse.frag writes, by their place in Framebuffer::Attachments::colors.
+constexpr int kMixedOutput = 0;
+constexpr int kRealOutput = 1;
 
 // As many as 64 KiB hold, the size of a uniform block on every desktop driver.
 constexpr std::size_t kMaxLights = 512;
 constexpr std::size_t kFewSuns = 8;  // directional lights that shade_diffuse.frag takes one by one
+
+// Shadow maps are apart for each.
+enum class CasterClass : std::uint8_t { RealOpaque, VirtualOpaque, RealGlass, VirtualGlass };
+constexpr std::size_t kCasterClasses = 4;
+constexpr unsigned kCubeSides = 6;
+// Texels of its map by which a shadow look-up is moved along the surface's normal, at most: half a
+// texel's diagonal and the filter's reach.
+constexpr double kShadowLift = 1.5;
+
+constexpr double kNearPlane = 0.01;  // metres; nearer surfaces are not drawn
+
+// Bits of a sample in the mask (passes::SampleMask), and of GpuSurface::flags.
+constexpr std::uint8_t kVirtualFlag = 1;
+constexpr std::uint8_t kSpecularFlag = 2;
+constexpr std::uint8_t kSurfaceFlag = 4;
+
+constexpr std::size_t kSrgbTableSize = 256;  // a float each byte, four to a vector
+// How GpuMaterial packs what there is of each texture slot.
+constexpr unsigned kSecondUvsBit = 8;  // of slot 0, in textures
+constexpr unsigned kWrapBits = 2;
+constexpr unsigned kMapSizeBits = 16;
+static_assert(scene::kTextureSlots <= kSecondUvsBit && 2 * kWrapBits * scene::kTextureSlots <= 32);
 
 // The coarsest alignment that a driver may ask of a range in a uniform buffer.
 constexpr std::size_t kRangeAlignment = 256;
@@ -66,12 +95,13 @@ struct GpuMaterial {  // std140
   float phong_exponent = 0.0f;
   float normal_reflectance = 0.0f;  // dielectrics: Schlick's R_m
   std::uint32_t thin = 0;
-  std::uint32_t textures = 0;  // bit n: TextureSlot n is used; bit 8 + n: read at the second uvs
-  std::uint32_t wraps = 0;     // 4 bits a slot: scene::Wrap of u, then of v
+  // Bit n: TextureSlot n is used; bit kSecondUvsBit + n: it is read at the second uvs.
+  std::uint32_t textures = 0;
+  std::uint32_t wraps = 0;  // kWrapBits each: scene::Wrap of u, then of v, slot after slot
   float roughness = 1.0f;
   float transmission = 1.0f;
   float normal_scale = 1.0f;
-  // By scene::TextureSlot: width, and height in the upper half.
+  // By scene::TextureSlot: width, and height above kMapSizeBits.
   std::array<std::uint32_t, scene::kTextureSlots> map_sizes{};
   std::array<std::uint32_t, 3> unused{};
 };
@@ -85,7 +115,7 @@ struct alignas(kRangeAlignment) GpuSurface {  // std140
   // largest; that number times the sign is the last element.
   glm::mat4 normal_from_mesh{1.0f};
   GpuMaterial material;
-  std::uint32_t flags = 0;  // what the mask shows: bits of passes::SampleMask
+  std::uint32_t flags = 0;  // what the mask shows
 };
 static_assert(offsetof(GpuSurface, flags) == 304);
 
@@ -98,7 +128,7 @@ struct GpuLight {  // std140
   float cos_inner = 1.0f;
   float cos_outer = 0.0f;
   std::uint32_t first_layer = 0;
-  std::uint32_t layer_count = 1;  // 1, or 6: sides of a cube, +x -x +y -y +z -z
+  std::uint32_t layer_count = 1;  // 1, or kCubeSides: +x -x +y -y +z -z
   float texel = 0.0f;             // side of a texel, metres (perspective: at 1 m from the light)
   // Of its only layer. A cube: the tangent of its sides' half angle, in the first element.
   glm::mat4 clip_from_world{1.0f};

@@ -3,12 +3,16 @@
 #include <string>
 #include <string_view>
 
+#include "gl/shader_interface.h"
+
 namespace amalgam::gl {
 namespace {
 
 std::string define(const char* name, bool on) {
   return "#define " + std::string(name) + (on ? " 1\n" : " 0\n");
 }
+
+static_assert(kFewSuns == 8, "shade_diffuse.frag writes out so many lights one by one");
 
 enum class SeenFrom { Camera, Light };
 

@@ -6,16 +6,17 @@
 #include <stdexcept>
 #include <utility>
 
+#include "gl/shader_constants.h"
 #include "shaders/shader_sources.h"
 
 namespace amalgam::gl {
 namespace {
 
-// The source with defines after its first line, which is "#version".
+// The source with defines and constants after its first line, which is "#version".
 std::string assemble(std::string_view file, const std::string& defines) {
   const std::string_view source = shaders::source(file);
   const std::size_t first_line = source.find('\n') + 1;
-  return std::string(source.substr(0, first_line)) + defines +
+  return std::string(source.substr(0, first_line)) + defines + shader_constants() +
          std::string(source.substr(first_line));
 }
 

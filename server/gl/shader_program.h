@@ -1,5 +1,5 @@
 // Owns one linked OpenGL program. Everything it reads has an explicit location or binding in its
-// source (shader_interface.h), so nothing is looked up by name.
+// source, by a constant of shader_interface.h, so nothing is looked up by name.
 #pragma once
 
 #include <epoxy/gl.h>

@@ -61,9 +61,9 @@ VertexArray::VertexArray(const scene::Mesh& mesh)
                               static_cast<GLuint>(offset));
     glVertexArrayAttribBinding(id_, index, binding);
   };
-  attribute(0, 3, 0, offsetof(Vertex, position));
-  attribute(1, 3, 0, offsetof(Vertex, normal));
-  attribute(2, 2, 0, offsetof(Vertex, uv));
+  attribute(kPositionAttribute, 3, 0, offsetof(Vertex, position));
+  attribute(kNormalAttribute, 3, 0, offsetof(Vertex, normal));
+  attribute(kUvAttribute, 2, 0, offsetof(Vertex, uv));
   if (!details_) return;
   glVertexArrayVertexBuffer(id_, 1, details_->id(), 0, sizeof(VertexDetails));
   attribute(kColorAttribute, 4, 1, offsetof(VertexDetails, color));

@@ -12,8 +12,8 @@ namespace amalgam::gl {
 
 class VertexArray {
  public:
-  // Attributes 0 position, 1 normal, 2 uv (zero if the mesh has none); colours, tangents and second
-  // uvs (shader_interface.h) in a buffer of their own, if the mesh has any of them.
+  // Attributes as in shader_interface.h; uvs are zero if the mesh has none. Colours, tangents and
+  // second uvs stand in a buffer of their own, if the mesh has any of them.
   explicit VertexArray(const scene::Mesh& mesh);
   ~VertexArray();
   VertexArray(VertexArray&& other) noexcept;

@@ -28,10 +28,6 @@ int FrameGraph::add_resource(std::string name, std::type_index type, int produce
 }
 
 void FrameGraph::add_read(int pass, int resource, Need need) {
-  if (resource < 0) {  // an unset handle that is not optional
-    resource = add_resource("unconnected", typeid(void), kNoPass);
-    make_absent(resource, kUnsetReason);
-  }
   passes_[static_cast<std::size_t>(pass)].reads.push_back({resource, need});
 }
 
@@ -160,6 +156,14 @@ bool FrameGraph::is_read_later(int resource) const {
     if (!passes_[p].visited && declares_read(static_cast<int>(p), resource)) return true;
   }
   return false;
+}
+
+void FrameGraph::check_set(bool set, int pass, const std::type_info& type) const {
+  AMALGAM_CHECK(set, (pass == kNoPass
+                          ? std::string("the graph")
+                          : "pass '" + passes_[static_cast<std::size_t>(pass)].report.name + "'") +
+                         " was given an unset handle of type " + type.name() +
+                         "; what a frame does not have must be absent(), with a reason");
 }
 
 void FrameGraph::check_declared(bool declared, const char* verb, int pass, int resource) const {

@@ -7,6 +7,9 @@
 // output, which never reaches what nobody reads. Evaluation is by demand, so "decode the camera
 // image only if something is composited" is a consequence and not a rule.
 //
+// Absence is always said. A handle that nobody has set is not absent but forgotten: giving it to a
+// pass, or asking the graph for it, fails a check that names the pass.
+//
 // A graph lives for one frame on one thread.
 #pragma once
 
@@ -16,6 +19,7 @@
 #include <string>
 #include <type_traits>
 #include <typeindex>
+#include <typeinfo>
 #include <utility>
 #include <vector>
 
@@ -27,8 +31,7 @@ namespace amalgam::graph {
 template <typename T>
 class Handle {
  public:
-  Handle() = default;
-  bool is_set() const { return index_ >= 0; }
+  Handle() = default;  // unset, until a pass's output, import() or absent() is assigned to it
 
  private:
   friend class FrameGraph;
@@ -51,7 +54,7 @@ class Access;
 // What a pass says about itself while it is added.
 class Builder {
  public:
-  // Without this the pass is left out. An unset handle counts as absent.
+  // Without this the pass is left out.
   template <typename T>
   void needs(Handle<T> handle);
   // Made available first if it can be; the pass runs all the same without it.
@@ -78,7 +81,7 @@ class Access {
  public:
   template <typename T>
   const T& get(Handle<T> handle) const;
-  // For handles given to uses() or needs_any(): null if absent or unset.
+  // For handles given to uses() or needs_any(): null if absent.
   template <typename T>
   const T* find(Handle<T> handle) const;
   // The value to change and pass on: moved if every pass that reads it has had its turn (whoever
@@ -129,21 +132,22 @@ class FrameGraph {
   // Runs what the resource needs, and nothing else. Null if it is absent.
   template <typename T>
   const T* realise(Handle<T> handle) {
-    if (!handle.is_set() || !make_available(handle.index_)) return nullptr;
-    return value<T>(handle.index_);
+    check_set(handle, kNoPass);
+    return make_available(handle.index_) ? value<T>(handle.index_) : nullptr;
   }
 
   // The value if it has been made already; makes nothing. For statistics and dumps.
   template <typename T>
   const T* peek(Handle<T> handle) const {
-    return handle.is_set() ? value<T>(handle.index_) : nullptr;
+    check_set(handle, kNoPass);
+    return value<T>(handle.index_);
   }
 
   // Why a resource is absent, after realise() gave null.
   template <typename T>
   std::string reason_absent(Handle<T> handle) const {
-    return handle.is_set() ? resources_[static_cast<std::size_t>(handle.index_)].reason
-                           : std::string(kUnsetReason);
+    check_set(handle, kNoPass);
+    return resources_[static_cast<std::size_t>(handle.index_)].reason;
   }
 
   // One entry a pass, in the order in which they were added.
@@ -156,7 +160,6 @@ class FrameGraph {
   friend class Builder;
   friend class Access;
   static constexpr int kNoPass = -1;
-  static constexpr const char* kUnsetReason = "an input was not connected";
 
   enum class State : std::uint8_t { Unknown, Available, Absent };
   struct Resource {
@@ -187,10 +190,17 @@ class FrameGraph {
   bool make_available(int resource);
   void run(Pass& pass, int index);
   void leave_out(Pass& pass, const std::string& reason);
+  void check_set(bool set, int pass, const std::type_info& type) const;
   void check_declared(bool declared, const char* verb, int pass, int resource) const;
   bool declares_read(int pass, int resource) const;
   bool declares_write(int pass, int resource) const;
   bool is_read_later(int resource) const;  // by a pass that has not been visited
+
+  // pass: who was given the handle; kNoPass: the graph itself.
+  template <typename T>
+  void check_set(Handle<T> handle, int pass) const {
+    check_set(handle.index_ >= 0, pass, typeid(T));
+  }
 
   template <typename T>
   const T* value(int resource) const {
@@ -205,16 +215,19 @@ class FrameGraph {
 
 template <typename T>
 void Builder::needs(Handle<T> handle) {
+  graph_.check_set(handle, pass_);
   graph_.add_read(pass_, handle.index_, FrameGraph::Need::Required);
 }
 
 template <typename T>
 void Builder::uses(Handle<T> handle) {
-  if (handle.is_set()) graph_.add_read(pass_, handle.index_, FrameGraph::Need::Optional);
+  graph_.check_set(handle, pass_);
+  graph_.add_read(pass_, handle.index_, FrameGraph::Need::Optional);
 }
 
 template <typename T>
 void Builder::needs_any(Handle<T> handle) {
+  graph_.check_set(handle, pass_);
   graph_.add_read(pass_, handle.index_, FrameGraph::Need::Alternative);
 }
 
@@ -225,6 +238,7 @@ Handle<T> Builder::writes(std::string resource) {
 
 template <typename T>
 const T& Access::get(Handle<T> handle) const {
+  graph_.check_set(handle, pass_);
   graph_.check_declared(graph_.declares_read(pass_, handle.index_), "reads", pass_, handle.index_);
   const T* value = graph_.value<T>(handle.index_);
   AMALGAM_CHECK(value != nullptr, "read of an absent resource");
@@ -233,7 +247,7 @@ const T& Access::get(Handle<T> handle) const {
 
 template <typename T>
 const T* Access::find(Handle<T> handle) const {
-  if (!handle.is_set()) return nullptr;
+  graph_.check_set(handle, pass_);
   graph_.check_declared(graph_.declares_read(pass_, handle.index_), "reads", pass_, handle.index_);
   return graph_.value<T>(handle.index_);
 }
@@ -258,6 +272,7 @@ Member Access::take(Handle<T> handle, Member T::*member) const {
 
 template <typename T>
 void Access::set(Handle<T> handle, T value) const {
+  graph_.check_set(handle, pass_);
   graph_.check_declared(graph_.declares_write(pass_, handle.index_), "writes", pass_,
                         handle.index_);
   graph_.store(handle.index_, std::make_shared<T>(std::move(value)));
@@ -265,6 +280,7 @@ void Access::set(Handle<T> handle, T value) const {
 
 template <typename T>
 void Access::leave_empty(Handle<T> handle, std::string reason) const {
+  graph_.check_set(handle, pass_);
   graph_.check_declared(graph_.declares_write(pass_, handle.index_), "writes", pass_,
                         handle.index_);
   graph_.make_absent(handle.index_, std::move(reason));

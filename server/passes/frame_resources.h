@@ -8,6 +8,7 @@
 #include "core/camera_model.h"
 #include "core/image.h"
 #include "core/layers.h"
+#include "gl/shader_interface.h"
 #include "scene/anchored_scene.h"
 #include "scene/light.h"
 #include "trace/shadow_bound.h"
@@ -33,9 +34,9 @@ using DeviceImage = const gl::Texture*;
 
 // M_v and M_r at one value a *sample*: size ideal.size * samples_per_side, row 0 at the top.
 struct SampleMask {
-  static constexpr std::uint8_t kVirtual = 1;   // M_v: the nearest surface is virtual
-  static constexpr std::uint8_t kSpecular = 2;  // M_r: the nearest surface is specular
-  static constexpr std::uint8_t kSurface = 4;   // there is a surface
+  static constexpr std::uint8_t kVirtual = gl::kVirtualFlag;    // M_v: the nearest one is virtual
+  static constexpr std::uint8_t kSpecular = gl::kSpecularFlag;  // M_r: the nearest one is specular
+  static constexpr std::uint8_t kSurface = gl::kSurfaceFlag;    // there is a surface
   core::Image<std::uint8_t> flags;
 
   // What there is in each tile of the ideal image, so that nobody has to walk over all samples

@@ -26,7 +26,7 @@ core::ImageRgba32f draw_grid(const RasterMeterInputs& in, const graph::Access& a
   const gl::Framebuffer framebuffer({.colors = {&mixed, &real}, .depth = &depth});
   gl::apply({.depth = gl::PipelineState::Depth::NearestWrites});
   framebuffer.bind();
-  framebuffer.clear_color(1, glm::vec4(0.0f));
+  framebuffer.clear_color(gl::kRealOutput, glm::vec4(0.0f));
   framebuffer.clear_depth();
   // Centres of texels fall on centres of those samples.
   const float shift = 0.5f - (static_cast<float>(step / 2) + 0.5f) / static_cast<float>(step);

@@ -81,9 +81,11 @@ Footprint footprint_of(const LayerView& layer, const std::array<glm::dvec3, 8>& 
     clip[i] = layer.clip_from_camera * glm::dvec4(corners[i], 1.0);
     farthest = std::max(farthest, clip[i].w);
   }
-  // Metres that a look-up lies beside its point: 1.5 texels, which grow with the distance; a spot's
-  // map sees up to 2.7 times its depth away. A little more, for rounding.
-  const double lift = layer.texel * (layer.perspective ? 2.7 * std::max(farthest, 0.0) : 1.0) * 1.6;
+  // Metres that a look-up lies beside its point; texels grow with the distance, and a spot's map
+  // sees up to 2.7 times its depth away. A little more, for rounding.
+  constexpr double kTexels = gl::kShadowLift + 0.1;
+  const double lift =
+      layer.texel * (layer.perspective ? 2.7 * std::max(farthest, 0.0) : 1.0) * kTexels;
   const glm::dvec4 grow = lift * layer.slope;
   Footprint seen;
   if (!layer.perspective) {

@@ -31,6 +31,7 @@ constexpr std::size_t kMostLayersTested = 96;
 
 // Lights as bits; all bits where there are more than eight lights.
 using LightSet = std::uint8_t;
+static_assert(gl::kFewSuns <= 8 * sizeof(LightSet));
 constexpr LightSet kAllLights = 0xFF;
 
 // For each tile the lights by which a shadow of the casters may fall on something between the

@@ -118,7 +118,8 @@ double spot_half_angle(const scene::Light& light) {
 std::uint32_t layers_needed(const scene::Light& light) {
   using Kind = scene::Light::Kind;
   if (light.kind == Kind::Directional) return 1;
-  return light.kind == Kind::Spot && spot_half_angle(light) <= kMaxSpotHalfAngle ? 1 : 6;
+  return light.kind == Kind::Spot && spot_half_angle(light) <= kMaxSpotHalfAngle ? 1
+                                                                                 : gl::kCubeSides;
 }
 
 gl::GpuLight describe(const scene::Light& light, std::size_t first_layer) {
@@ -193,7 +194,7 @@ ShadowLayout make_shadow_layout(const RenderView& view, const gl::GpuScene& scen
       continue;
     }
     const double tangent = with_room(1.0, layout.size);
-    for (int side = 0; side < 6; ++side) {
+    for (int side = 0; side < static_cast<int>(gl::kCubeSides); ++side) {
       add(perspective_layer(position, cube_axes(side), tangent, layout.size));
     }
     gpu.clip_from_world[0][0] = static_cast<float>(tangent);

@@ -14,6 +14,7 @@
 #include <optional>
 
 #include "gl/buffer.h"
+#include "gl/shader_interface.h"
 #include "graph/frame_graph.h"
 #include "passes/caster_cells.h"
 #include "passes/frame_resources.h"
@@ -23,8 +24,8 @@
 
 namespace amalgam::passes {
 
-enum class CasterClass : std::uint8_t { RealOpaque, VirtualOpaque, RealGlass, VirtualGlass };
-constexpr std::size_t kCasterClasses = 4;
+using gl::CasterClass;
+using gl::kCasterClasses;
 
 // A 2D array texture, one layer for each of the layout. Opaque casters: depth 32F, reversed.
 // Glass: RGBA32F at half the side, optical depth in RGB, the nearest glass's reversed depth in A.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "gl/buffer.h"
+#include "gl/shader_interface.h"
 #include "graph/frame_graph.h"
 #include "passes/frame_resources.h"
 #include "passes/raster_context.h"
@@ -19,7 +20,7 @@
 
 namespace amalgam::passes {
 
-constexpr double kNearPlane = 0.01;  // metres; nearer surfaces are not drawn
+using gl::kNearPlane;
 
 // clip_from_camera of an ideal (undistorted) camera; ndc_x = 2 (u + 0.5) / width - 1 for pixel u.
 glm::dmat4 clip_from_camera(const core::CameraModel& ideal);

@@ -13,9 +13,7 @@ LightArrival light_arrival(const Light& light, const glm::vec3& point) {
   }
   const glm::vec3 offset = light.position - point;
   const float distance = glm::length(offset);
-  constexpr float kMinDistance =
-      1e-4f;  // a point inside the lamp sees a bright light, not infinity
-  const float d = std::max(distance, kMinDistance);
+  const float d = std::max(distance, kMinLightDistance);
   const glm::vec3 to_light = offset / d;
   float window = 1.0f;
   if (light.range > 0.0f) {
@@ -23,7 +21,7 @@ LightArrival light_arrival(const Light& light, const glm::vec3& point) {
     window = std::clamp(1.0f - ratio * ratio * ratio * ratio, 0.0f, 1.0f);
   }
   if (light.kind == Light::Kind::Spot) {
-    const float scale = 1.0f / std::max(0.001f, light.cos_inner - light.cos_outer);
+    const float scale = 1.0f / std::max(kMinConeWidth, light.cos_inner - light.cos_outer);
     const float cone =
         std::clamp((glm::dot(light.to_light, to_light) - light.cos_outer) * scale, 0.0f, 1.0f);
     window *= cone * cone;

@@ -21,6 +21,11 @@ struct Light {
   bool operator==(const Light&) const = default;
 };
 
+// In C++ and in shaders (gl/shader_constants.h). A point inside the lamp sees a bright light, not
+// infinity; a spot's cos_inner - cos_outer counts for so much at least.
+constexpr float kMinLightDistance = 1e-4f;  // metres
+constexpr float kMinConeWidth = 0.001f;
+
 // What arrives at a point from a light if nothing is in between.
 struct LightArrival {
   glm::vec3 to_light{0.0f};    // unit

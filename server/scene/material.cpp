@@ -27,13 +27,12 @@ PhongTerms phong_terms(const Material& material, const glm::vec3& base_color) {
 }
 
 PhongTerms phong_terms(const glm::vec3& base_color, float metallic, float roughness) {
-  constexpr float kDielectricF0 = 0.04f;  // glTF 2.0, appendix B: plastics and the like
-  constexpr float kMaxExponent = 1024.0f;
   const float alpha = roughness * roughness;
   PhongTerms terms;
   terms.specular = glm::mix(glm::vec3(kDielectricF0), base_color, metallic);
   terms.albedo = base_color * (1.0f - metallic) * (1.0f - kDielectricF0);
-  terms.exponent = std::clamp(0.5f / std::max(alpha * alpha, 1e-6f) - 0.5f, 0.0f, kMaxExponent);
+  terms.exponent =
+      std::clamp(0.5f / std::max(alpha * alpha, kMinSquaredAlpha) - 0.5f, 0.0f, kMaxPhongExponent);
   return terms;
 }
 

@@ -71,6 +71,11 @@ struct Material {
   }
 };
 
+// Of the formulas below, in C++ and in shaders (gl/shader_constants.h).
+constexpr float kDielectricF0 = 0.04f;  // glTF 2.0, appendix B: plastics and the like
+constexpr float kMinSquaredAlpha = 1e-6f;
+constexpr float kMaxPhongExponent = 1024.0f;
+
 // Phong's terms (eq. 4.6) of a diffuse material, for light of irradiance E arriving at cosine c >
 // 0:
 //   radiance = E c (albedo / pi + specular (exponent + 2) / (2 pi) max(R.V, 0)^exponent)
@@ -81,7 +86,7 @@ struct Material {
 struct PhongTerms {
   glm::vec3 albedo{0.0f};
   glm::vec3 specular{0.0f};
-  float exponent = 0.0f;  // [0, 1024]
+  float exponent = 0.0f;  // [0, kMaxPhongExponent]
 };
 
 // Everything at the point: the material's factors times textures and vertex colour.

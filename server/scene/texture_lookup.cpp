@@ -35,7 +35,8 @@ glm::vec4 sample_level(const Texture& texture, int level, const glm::vec2& uv) {
   const int width = texels.width(), height = texels.height();
   const float x = uv.x * static_cast<float>(width) - 0.5f;
   const float y = uv.y * static_cast<float>(height) - 0.5f;
-  if (!(std::abs(x) < 1e9f) || !(std::abs(y) < 1e9f)) return glm::vec4(0.0f, 0.0f, 0.0f, 1.0f);
+  if (!(std::abs(x) < kMaxTexelPlace) || !(std::abs(y) < kMaxTexelPlace))
+    return glm::vec4(0.0f, 0.0f, 0.0f, 1.0f);
   const float floor_x = std::floor(x), floor_y = std::floor(y);
   const int x0 = wrap_texel(static_cast<int>(floor_x), width, texture.wrap_u);
   const int x1 = wrap_texel(static_cast<int>(floor_x) + 1, width, texture.wrap_u);
@@ -73,8 +74,7 @@ glm::vec4 sample_data_texture(const Texture& texture, const glm::vec2& uv, float
 }
 
 float uv_footprint(float uv_area_per_area, float cone_width, float cosine) {
-  constexpr float kMinCosine = 1e-4f;
-  const float side = cone_width / std::max(std::abs(cosine), kMinCosine);
+  const float side = cone_width / std::max(std::abs(cosine), kMinFootprintCosine);
   return uv_area_per_area * side * side;
 }
 

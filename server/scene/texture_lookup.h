@@ -15,6 +15,13 @@
 
 namespace amalgam::scene {
 
+// In C++ and in shaders (gl/shader_constants.h): the cosine of a ray that grazes, at least; how
+// many texels from the corner anything is shown. What lies further out is black.
+constexpr float kMinFootprintCosine = 1e-4f;
+constexpr float kMaxTexelPlace = 1e9f;
+// A tangent is of no use to a normal texture if less of its length than this lies in the surface.
+constexpr double kMinTangentShare = 1e-6;
+
 // RGBA in [0,1] at uv; (0, 0) is the top left corner of the image, texel centres at (i + 0.5) /
 // size. footprint: area in uv that one sample covers, >= 0; at 0 the full size is read.
 // Colours are decoded from sRGB before they are mixed (alpha is linear), data is linear.

@@ -63,7 +63,7 @@ glm::dvec3 Texels::bent_normal(const glm::dvec3& normal, const PlacedInstance& p
   const glm::dvec3 along = linear * glm::dvec3(tangent);
   const glm::dvec3 flat = along - glm::dot(along, normal) * normal;
   const double length = glm::length(flat);
-  if (!(length > 1e-6 * glm::length(along))) return normal;
+  if (!(length > scene::kMinTangentShare * glm::length(along))) return normal;
   const glm::dvec3 x = flat / length;
   // Mirroring turns the normal outside again, and with it the cross product round.
   const double mirrored = glm::determinant(linear) < 0.0 ? -1.0 : 1.0;

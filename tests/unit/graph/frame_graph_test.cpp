@@ -57,11 +57,9 @@ TEST(FrameGraph, OptionalInputsMayBeAbsent) {
   Builder builder = graph.add_pass("sum");
   builder.uses(missing);
   builder.uses(given);
-  builder.uses(Handle<int>());
   const auto sum = builder.writes<int>("sum");
   builder.runs([=](const Access& access) {
     EXPECT_EQ(access.find(missing), nullptr);
-    EXPECT_EQ(access.find(Handle<int>()), nullptr);
     access.set(sum, *access.find(given));
   });
   ASSERT_NE(graph.realise(sum), nullptr);
@@ -107,12 +105,12 @@ TEST(FrameGraph, OneAlternativeIsEnoughAndNoneIsNot) {
   EXPECT_EQ(graph.reason_absent(none), "nothing to draw");
 }
 
-TEST(FrameGraph, UnconnectedInputLeavesThePassOut) {
+TEST(FrameGraph, AnAbsentResourceSaysWhy) {
   FrameGraph graph;
-  int runs = 0;
-  const auto out = add_constant(graph, "a", 1, runs, {Handle<int>()});
-  EXPECT_EQ(graph.realise(out), nullptr);
-  EXPECT_EQ(graph.reason_absent(out), "an input was not connected");
+  const auto missing = graph.absent<int>("shadow bound", "every sample is traced");
+  EXPECT_EQ(graph.realise(missing), nullptr);
+  EXPECT_EQ(graph.peek(missing), nullptr);
+  EXPECT_EQ(graph.reason_absent(missing), "every sample is traced");
 }
 
 TEST(FrameGraph, NotesStandInThePassList) {
@@ -122,8 +120,6 @@ TEST(FrameGraph, NotesStandInThePassList) {
   EXPECT_EQ(graph.reports()[0].reason, "nothing moved");
   EXPECT_NE(graph.to_graphviz().find("shadow maps"), std::string::npos);
 }
-
-using FrameGraphDeathTest = testing::Test;
 
 // The last reader may have the value itself; whoever reads before others are done gets a copy.
 TEST(FrameGraph, TheLastReaderTakesWhatOthersCopy) {
@@ -148,6 +144,34 @@ TEST(FrameGraph, TheLastReaderTakesWhatOthersCopy) {
   EXPECT_EQ(*graph.peek(first), 3);
   EXPECT_EQ(*graph.peek(last), 3);
   EXPECT_TRUE(graph.peek(source)->empty()) << "moved, not copied";
+}
+
+using FrameGraphDeathTest = testing::Test;
+
+// A forgotten connection must not pass for a feature that the frame does not have.
+TEST(FrameGraphDeathTest, AnUnsetHandleAbortsAndNamesThePass) {
+  testing::FLAGS_gtest_death_test_style = "threadsafe";
+  FrameGraph graph;
+  const Handle<int> unset;
+  Builder builder = graph.add_pass("careless");
+  const std::string message = "pass 'careless' was given an unset handle";
+  EXPECT_DEATH(builder.needs(unset), message);
+  EXPECT_DEATH(builder.uses(unset), message);
+  EXPECT_DEATH(builder.needs_any(unset), message);
+  const auto out = builder.writes<int>("out");
+  builder.runs(
+      [=](const Access& access) { access.set(out, access.find(unset) != nullptr ? 1 : 0); });
+  EXPECT_DEATH(graph.realise(out), message);
+}
+
+TEST(FrameGraphDeathTest, AskingTheGraphForAnUnsetHandleAborts) {
+  testing::FLAGS_gtest_death_test_style = "threadsafe";
+  FrameGraph graph;
+  const Handle<int> unset;
+  const std::string message = "the graph was given an unset handle";
+  EXPECT_DEATH(graph.realise(unset), message);
+  EXPECT_DEATH(graph.peek(unset), message);
+  EXPECT_DEATH(graph.reason_absent(unset), message);
 }
 
 TEST(FrameGraphDeathTest, TouchingWhatWasNotDeclaredAborts) {
