@@ -45,7 +45,7 @@ CLI::Validator checked_by(Parser parser) {
       {});
 }
 
-void add_markers(CLI::App& app, BoardTexts& board, std::string& smoothing) {
+void add_markers(CLI::App& app, BoardTexts& board, std::string& smoothing, double& dead_band) {
   auto* group = app.add_option_group(
       "board",
       "at most one of; its pose is sent as the world marker's. If the world marker is one "
@@ -71,6 +71,13 @@ void add_markers(CLI::App& app, BoardTexts& board, std::string& smoothing) {
                  "for each m/s and each rad/s (default 0)")
       ->type_name("MINCUTOFF[:BETA]")
       ->check(checked_by(parse_smoothing));
+  app.add_option("--dead-band", dead_band,
+                 "send a marker's last pose again while the new one would move nothing on it by "
+                 "more than so many pixels: on a tripod objects stand still, and frames cost the "
+                 "server a tenth")
+      ->type_name("PIXELS")
+      ->check(CLI::Range(0.0, 100.0))
+      ->default_str("0: off");
 }
 
 void add_source(CLI::App& app, Options& options) {
@@ -178,7 +185,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv, int& exi
       ->type_name("FILE");
   add_source(app, options);
   add_sink(app, options);
-  add_markers(app, board, smoothing);
+  add_markers(app, board, smoothing, options.viewer.dead_band);
   app.add_option("--calibration", options.calibration,
                  "OpenCV calibration file (.yml); without it 60 degrees of width are assumed")
       ->type_name("FILE");

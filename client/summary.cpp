@@ -51,6 +51,7 @@ std::string summary_text(const ViewerSummary& summary) {
   text += "markers    " + number(summary.markers.poses) + " poses in " +
           number(summary.markers.images) + " images, " + number(summary.markers.repeated) +
           " repeated, " + number(summary.markers.unsolved) + " unsolved";
+  if (summary.poses_held > 0) text += "; " + number(summary.poses_held) + " held by the dead band";
   if (summary.markers.board_poses + summary.markers.board_outliers > 0) {
     text += "; board seen in " + number(summary.markers.board_poses) + " images, " +
             number(summary.markers.board_outliers) + " of its markers left out";
@@ -84,6 +85,7 @@ std::string summary_json(const ViewerSummary& summary) {
                                       {"unsolved", summary.markers.unsolved},
                                       {"board_images", summary.markers.board_poses},
                                       {"board_outliers", summary.markers.board_outliers}}},
+                                    {"poses_held", summary.poses_held},
                                     {"smoothing", smoothing_json(summary.smoothing)},
                                     {"reconnects", summary.reconnects},
                                     {"server_errors", summary.server_errors},

@@ -40,6 +40,7 @@ ViewerSummary Viewer::run() {
   summary_.latency = ledger_.latency();
   if (tracker_) summary_.markers = tracker_->counts();
   if (smoother_) summary_.smoothing = smoother_->report();
+  if (dead_band_) summary_.poses_held = dead_band_->held();
   return summary_;
 }
 
@@ -83,6 +84,7 @@ void Viewer::send(const CapturedFrame& frame) {
   std::vector<core::MarkerPose> poses =
       frame.true_poses ? *frame.true_poses : tracker_->track(frame.bgr);
   if (smoother_) poses = smoother_->smooth(std::move(poses), frame.captured_at);
+  if (dead_band_) poses = dead_band_->hold(std::move(poses));
   std::string bytes = protocol::encode(frame_message(id, frame, poses));
   if (const auto replaced = connection_.send(id, std::move(bytes))) ledger_.skipped(*replaced);
 }
@@ -108,6 +110,8 @@ void Viewer::handle(Welcomed& event) {
   options.board = options_.board;
   options.world_marker = markers.world_marker();
   tracker_.emplace(options, camera_);
+  if (options_.dead_band > 0.0)
+    dead_band_.emplace(options_.dead_band, options.marker_length, camera_);
 }
 
 void Viewer::handle(Composited& event) {

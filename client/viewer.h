@@ -11,6 +11,7 @@
 #include "client/frame_sink.h"
 #include "client/marker_board.h"
 #include "client/marker_tracker.h"
+#include "client/pose_dead_band.h"
 #include "client/pose_smoother.h"
 
 namespace amalgam::client {
@@ -21,6 +22,7 @@ struct ViewerOptions {
   bool lockstep = false;               // wait for the answer to each frame before the next
   std::optional<MarkerBoard> board{};  // stands for the world marker: see TrackerOptions
   std::optional<OneEuroOptions> smoothing{};  // of all poses that are sent
+  double dead_band = 0.0;                     // pixels, after smoothing; 0: none
 };
 
 struct ViewerSummary {
@@ -28,6 +30,7 @@ struct ViewerSummary {
   LatencySummary latency;  // milliseconds
   TrackerCounts markers;
   std::optional<SmoothingReport> smoothing;
+  std::uint64_t poses_held = 0;  // sent again by the dead band
   std::uint64_t reconnects = 0;
   std::uint64_t server_errors = 0;  // Error messages that the session survived
   std::string last_error;           // the last of these, or why the connection was given up
@@ -68,6 +71,7 @@ class Viewer {
   std::optional<MarkerTracker> tracker_;  // once the server has said what to look for
   std::string markers_;                   // what that was, as it came
   std::optional<PoseSmoother> smoother_;
+  std::optional<PoseDeadBand> dead_band_;  // made with the tracker
   FrameLedger ledger_;
   ViewerSummary summary_;
   std::uint64_t last_id_ = 0;

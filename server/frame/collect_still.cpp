@@ -1,15 +1,22 @@
 #include "frame/collect_still.h"
 
 namespace amalgam::frame {
+namespace {
+
+template <typename T>
+void keep(const graph::FrameGraph& graph, graph::Handle<T> handle, Kept<T>& kept) {
+  kept.reason = graph.reason_absent(handle);
+  if (const T* value = graph.peek(handle)) kept.value = *value;
+}
+
+}  // namespace
 
 std::optional<StillFrame> collect_still(const graph::FrameGraph& graph, const FramePasses& frame,
                                         const passes::RenderView& view) {
   StillFrame still;
   std::size_t bytes = 0;
-  if (const auto* counts = graph.peek(frame.mask.counts)) still.counts = *counts;
-
-  still.meter_grid.reason = graph.reason_absent(frame.meter_grid);
-  if (const auto* grid = graph.peek(frame.meter_grid)) still.meter_grid.value = *grid;
+  keep(graph, frame.mask.counts, still.counts);
+  keep(graph, frame.meter_grid, still.meter_grid);
 
   still.shaded.reason = graph.reason_absent(frame.effect);
   if (const auto* effect = graph.peek(frame.effect)) {

@@ -16,6 +16,7 @@
 namespace amalgam::frame {
 namespace {
 
+constexpr const char* kNothingMoved = "nothing moved since the last frame";
 constexpr const char* kNoSpecular = "no specular object in the scene";
 
 // Why this frame cannot show anything virtual, whatever the camera sees; nothing if it might.
@@ -118,6 +119,7 @@ void leave_out_rasterised(graph::FrameGraph& graph, const std::string& reason, F
   frame.mask.diffuse = graph.absent<passes::DiffuseSamples>("diffuse samples", reason);
   frame.diffuse.mixed = graph.absent<passes::DeviceImage>("I_m", reason);
   frame.diffuse.real = graph.absent<passes::DeviceImage>("I_r", reason);
+  frame.effect = graph.absent<passes::DiffuseEffect>("diffuse effect", reason);
   frame.rasterised = graph.absent<passes::Layers>("diffuse layers", reason);
   frame.rasterised_nonfinite = graph.absent<std::uint64_t>("non-finite diffuse values", reason);
   frame.virtual_shadows = graph.absent<passes::VirtualShadows>("virtual shadow bound", reason);
@@ -146,33 +148,28 @@ graph::Handle<T> bring_back(graph::FrameGraph& graph, const char* name, const Ke
                             T value) {
   return kept.value ? graph.import(name, std::move(value)) : graph.absent<T>(name, kept.reason);
 }
+template <typename T>
+graph::Handle<T> bring_back(graph::FrameGraph& graph, const char* name, const Kept<T>& kept) {
+  return bring_back(graph, name, kept, kept.value.value_or(T()));
+}
 
 // Nothing moved: what an equal frame left, with this frame's camera image.
-void add_still_passes(graph::FrameGraph& graph, const SceneResources& resources,
-                      const FrameRequest& request, FramePasses& frame) {
-  constexpr const char* kReason = "nothing moved since the last frame";
+void add_still_passes(graph::FrameGraph& graph, const FrameRequest& request, FramePasses& frame) {
   const StillFrame& still = *request.still;
-  const bool rasterises = resources.raster != nullptr;
-  for (const char* pass : {"mask", "reached tiles", "diffuse", "effect"}) {
-    if (rasterises) graph.note_left_out(pass, kReason);
-  }
-  graph.note_left_out("meter", kReason);
-  frame.meter_grid = bring_back(graph, "meter grid", still.meter_grid,
-                                still.meter_grid.value.value_or(passes::MeterGrid()));
+  for (const char* pass : {"mask", "reached tiles", "diffuse", "effect", "meter", "trace"})
+    graph.note_left_out(pass, kNothingMoved);
+  leave_out_rasterised(graph, kNothingMoved, frame);
+  frame.mask.specular = graph.absent<passes::SpecularSamples>("samples to trace", kNothingMoved);
+  frame.mask.counts = bring_back(graph, "sample counts", still.counts);
+  frame.meter_grid = bring_back(graph, "meter grid", still.meter_grid);
   frame.exposure = passes::add_exposure_pass(graph, exposure_inputs(request, frame));
-  if (rasterises) {
-    frame.mask.counts = graph.import("sample counts", still.counts);
-    const auto& shaded = still.shaded;
-    frame.effect = bring_back(graph, "diffuse effect", shaded,
-                              passes::DiffuseEffect{shaded.value ? &*shaded.value : nullptr});
-    const auto resolved =
-        passes::add_resolve_pass(graph, {request.render_view, frame.effect, frame.exposure});
-    frame.rasterised = resolved.layers;
-    frame.rasterised_nonfinite = resolved.nonfinite;
-  }
-  graph.note_left_out("trace", kReason);
-  const auto paths = bring_back(graph, "traced paths", still.paths,
-                                still.paths.value.value_or(passes::KeptPaths()));
+  const passes::ShadedTiles* shaded = still.shaded.value ? &*still.shaded.value : nullptr;
+  frame.effect = bring_back(graph, "diffuse effect", still.shaded, passes::DiffuseEffect{shaded});
+  const auto resolved =
+      passes::add_resolve_pass(graph, {request.render_view, frame.effect, frame.exposure});
+  frame.rasterised = resolved.layers;
+  frame.rasterised_nonfinite = resolved.nonfinite;
+  const auto paths = bring_back(graph, "traced paths", still.paths);
   frame.traced = passes::add_look_up_pass(graph, {paths, frame.camera_image, frame.exposure});
 }
 
@@ -213,7 +210,8 @@ FramePasses add_frame_passes(graph::FrameGraph& graph, const SceneResources& res
                                                        .keep_coefficients = !wants_own_quality});
   frame.camera_image = decoded.camera_image;
   if (still) {
-    graph.note_left_out("place instances", "nothing moved since the last frame");
+    graph.note_left_out("place instances", kNothingMoved);
+    frame.placed = graph.absent<passes::PlacedScene>("placed scene", kNothingMoved);
   } else if (resources.embree != nullptr) {
     frame.placed = passes::add_place_instances_pass(graph, request.render_view, *resources.embree);
   } else {
@@ -221,7 +219,7 @@ FramePasses add_frame_passes(graph::FrameGraph& graph, const SceneResources& res
     frame.placed = graph.absent<passes::PlacedScene>("placed scene", kNoSpecular);
   }
   if (still) {
-    add_still_passes(graph, resources, request, frame);
+    add_still_passes(graph, request, frame);
   } else if (resources.raster != nullptr) {
     add_hybrid_passes(graph, resources, request, frame);
   } else {

@@ -39,7 +39,7 @@ struct Kept {
 };
 
 struct StillFrame {
-  passes::SampleCounts counts;
+  Kept<passes::SampleCounts> counts;
   Kept<passes::MeterGrid> meter_grid;
   Kept<passes::ShadedTiles> shaded;  // only tiles in which something virtual shows
   Kept<passes::KeptPaths> paths;

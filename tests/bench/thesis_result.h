@@ -17,6 +17,10 @@ struct ThesisResult {
   // That of adaptive samples, for rows of more than one.
   std::optional<double> adaptive_error{};
 
+  // With the row's fixed samples, once nothing moves any more; none if they are too many to be
+  // kept.
+  std::optional<double> still_frames_per_second{};
+
   double ratio() const { return frames_per_second / row.frames_per_second; }
 };
 

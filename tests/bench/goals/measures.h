@@ -15,6 +15,7 @@ Outcome measure_trace_threads(GoalBench& bench);
 Outcome measure_trace_replay(GoalBench& bench);
 Outcome measure_raster_passes(GoalBench& bench);
 Outcome measure_thesis_rows(GoalBench& bench);
+Outcome measure_thesis_still(GoalBench& bench);
 Outcome measure_thesis_mirrors(GoalBench& bench);
 Outcome measure_hybrid(GoalBench& bench);
 Outcome measure_no_pose(GoalBench& bench);

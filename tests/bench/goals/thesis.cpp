@@ -40,6 +40,27 @@ Outcome measure_thesis_rows(GoalBench& bench) {
   return lowest_row(bench.thesis(), [](const ThesisRow&) { return true; });
 }
 
+Outcome measure_thesis_still(GoalBench& bench) {
+  Measurement measured;
+  measured.value = std::numeric_limits<double>::infinity();
+  int rows = 0, not_kept = 0;
+  for (const ThesisResult& result : bench.thesis()) {
+    if (!is_held_to_goal(result.row)) continue;
+    if (!result.still_frames_per_second) {
+      ++not_kept;
+      continue;
+    }
+    const double ratio = *result.still_frames_per_second / result.row.frames_per_second;
+    measured.value = std::min(measured.value, ratio);
+    measured.high = std::max(measured.high, ratio);
+    ++rows;
+  }
+  measured.low = measured.value;
+  measured.note = std::to_string(rows) + " rows, below; " + std::to_string(not_kept) +
+                  " of more samples than are kept";
+  return measured;
+}
+
 Outcome measure_thesis_mirrors(GoalBench& bench) {
   return lowest_row(bench.thesis(),
                     [](const ThesisRow& row) { return row.scene == ThesisScene::MirrorBunny; });

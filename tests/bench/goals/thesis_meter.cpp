@@ -1,5 +1,6 @@
 #include "bench/goals/thesis_meter.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "bench/picture_error.h"
@@ -86,6 +87,21 @@ core::ImageRgb8 render_reference(BenchCase bench_case, ThesisMethod method, floa
   return render_pixels(bench_case, settings);
 }
 
+// Nothing if the frame is not reused, however long nothing moves.
+std::optional<double> still_frames_per_second(const BenchCase& bench_case,
+                                              frame::RendererSettings settings) {
+  settings.reuse_still_frames = true;
+  RenderRig rig(bench_case, settings);
+  rig.render();  // the second equal frame is kept; the rig made the first
+  const frame::FrameOutput third = rig.render();
+  const auto& passes = third.statistics.passes;
+  const bool masked = std::any_of(passes.begin(), passes.end(), [](const auto& pass) {
+    return (pass.name == "mask" || pass.name == "trace") && pass.ran;
+  });
+  if (masked) return std::nullopt;
+  return 1000.0 / median_frame_milliseconds(rig, kSecondsForTimes);
+}
+
 }  // namespace
 
 double ThesisMeter::error(const ThesisRow& row, const std::string& samples) {
@@ -113,6 +129,8 @@ const ThesisMeter::Figures& ThesisMeter::figures(const ThesisRow& row, const std
     RenderRig rig(full, settings_for(row.method, samples));
     figures.frames_per_second = 1000.0 / median_frame_milliseconds(rig, kSecondsForTimes);
   }
+  figures.still_frames_per_second =
+      still_frames_per_second(full, settings_for(row.method, samples));
   figures.error = error(row, samples);
   return figures_.emplace(key, figures).first->second;
 }
@@ -121,6 +139,7 @@ ThesisResult ThesisMeter::measure(const ThesisRow& row) {
   const Figures& fixed = figures(row, std::to_string(row.samples));
   ThesisResult result{
       .row = row, .frames_per_second = fixed.frames_per_second, .error = fixed.error};
+  result.still_frames_per_second = fixed.still_frames_per_second;
   if (row.samples == 1) return result;
   const Figures& adaptive = figures(row, "adaptive");
   result.adaptive_error = adaptive.error;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@ class ThesisMeter {
  private:
   struct Figures {
     double frames_per_second = 0.0;
+    std::optional<double> still_frames_per_second;
     double error = 0.0;
   };
 
