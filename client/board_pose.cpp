@@ -18,8 +18,8 @@ constexpr std::size_t kCandidates = 5;         // the wrong marker is among thos
 
 using Markers = std::vector<SeenBoardMarker>;
 
-bool shows_faces(const Markers& markers, const core::MarkerPose& pose) {
-  const glm::dmat4 camera_from_board = core::to_matrix(pose);
+bool shows_faces(const Markers& markers, const common::MarkerPose& pose) {
+  const glm::dmat4 camera_from_board = common::to_matrix(pose);
   return std::ranges::all_of(markers, [&](const SeenBoardMarker& seen) {
     const glm::dmat4 camera_from_marker = camera_from_board * frame_of(*seen.marker);
     return glm::dot(glm::dvec3(camera_from_marker[2]), glm::dvec3(camera_from_marker[3])) < 0;
@@ -27,8 +27,8 @@ bool shows_faces(const Markers& markers, const core::MarkerPose& pose) {
 }
 
 // Root mean square over the corners of all these markers.
-double error_of(const Markers& markers, const core::MarkerPose& pose,
-                const core::CameraModel& camera) {
+double error_of(const Markers& markers, const common::MarkerPose& pose,
+                const common::CameraModel& camera) {
   double sum = 0.0;
   for (const SeenBoardMarker& seen : markers) {
     const double error = reprojection_error(seen, pose, camera);
@@ -52,7 +52,7 @@ bool is_flat(const std::vector<cv::Point3d>& points) {
 std::vector<PoseSolution> solve_ideal(const std::vector<cv::Point3d>& points,
                                       const std::vector<cv::Point2d>& start,
                                       const std::vector<cv::Point2d>& pixels,
-                                      const Markers& markers, const core::CameraModel& camera) {
+                                      const Markers& markers, const common::CameraModel& camera) {
   const cv::Matx33d intrinsics = intrinsic_matrix(camera);
   const auto method = is_flat(points) ? cv::SOLVEPNP_IPPE : cv::SOLVEPNP_SQPNP;
   std::vector<cv::Mat> rotations, translations;
@@ -75,7 +75,7 @@ std::vector<PoseSolution> solve_ideal(const std::vector<cv::Point3d>& points,
   return solutions;
 }
 
-std::vector<PoseSolution> solve(const Markers& markers, const core::CameraModel& camera) {
+std::vector<PoseSolution> solve(const Markers& markers, const common::CameraModel& camera) {
   std::vector<cv::Point3d> points;
   std::vector<glm::dvec2> seen;
   for (const SeenBoardMarker& marker : markers) {
@@ -100,7 +100,7 @@ struct Removal {
 
 // Those markers that the pose fits worst, or all if there is no pose; none if it fits them all.
 std::vector<std::size_t> suspects(const Markers& markers, const std::vector<PoseSolution>& poses,
-                                  double limit, const core::CameraModel& camera) {
+                                  double limit, const common::CameraModel& camera) {
   std::vector<std::pair<double, std::size_t>> by_error;
   for (std::size_t i = 0; i < markers.size(); ++i) {
     const double error =
@@ -118,7 +118,7 @@ std::vector<std::size_t> suspects(const Markers& markers, const std::vector<Pose
 // The marker without which the others agree best, if it then stands out from them.
 std::optional<Removal> remove_outlier(const Markers& markers,
                                       const std::vector<PoseSolution>& poses, double limit,
-                                      const core::CameraModel& camera) {
+                                      const common::CameraModel& camera) {
   std::optional<Removal> best;
   double removed_error = 0.0;
   for (const std::size_t index : suspects(markers, poses, limit, camera)) {
@@ -138,13 +138,13 @@ std::optional<Removal> remove_outlier(const Markers& markers,
 
 }  // namespace
 
-double reprojection_error(const SeenBoardMarker& seen, const core::MarkerPose& camera_from_board,
-                          const core::CameraModel& camera) {
-  const glm::dmat4 matrix = core::to_matrix(camera_from_board);
+double reprojection_error(const SeenBoardMarker& seen, const common::MarkerPose& camera_from_board,
+                          const common::CameraModel& camera) {
+  const glm::dmat4 matrix = common::to_matrix(camera_from_board);
   double sum = 0.0;
   for (std::size_t i = 0; i < seen.corners.size(); ++i) {
     const glm::dvec3 point(matrix * glm::dvec4(seen.marker->corners[i], 1.0));
-    const auto pixel = core::project(camera, point);
+    const auto pixel = common::project(camera, point);
     if (!pixel) return INFINITY;
     const glm::dvec2 off = *pixel - seen.corners[i];
     sum += glm::dot(off, off);
@@ -152,7 +152,7 @@ double reprojection_error(const SeenBoardMarker& seen, const core::MarkerPose& c
   return std::sqrt(sum / static_cast<double>(seen.corners.size()));
 }
 
-BoardFit solve_board(std::span<const SeenBoardMarker> seen, const core::CameraModel& camera) {
+BoardFit solve_board(std::span<const SeenBoardMarker> seen, const common::CameraModel& camera) {
   BoardFit fit;
   if (seen.empty()) return fit;
   const double limit = kOutlierLimit * camera.width;

@@ -1,6 +1,6 @@
 // A board's pose from the corners of all its markers that are seen.
 //
-// Seen corners are freed of lens distortion by core::pixel_direction, solved by IPPE [Collins &
+// Seen corners are freed of lens distortion by common::pixel_direction, solved by IPPE [Collins &
 // Bartoli 2014] where they lie in a plane and by SQPnP [Terzakis & Lourakis 2020] where not, and
 // refined by Levenberg-Marquardt. A marker that contradicts the others (misread, or moved on its
 // own) is left out.
@@ -31,11 +31,11 @@ struct BoardFit {
 // A marker is left out if its corners are off by more than a 320th of the image's width (root mean
 // square; 2 pixels at 640) and by three times as much as those of the others, once the pose is
 // found without it; never more than half of the markers.
-BoardFit solve_board(std::span<const SeenBoardMarker> seen, const core::CameraModel& camera);
+BoardFit solve_board(std::span<const SeenBoardMarker> seen, const common::CameraModel& camera);
 
 // Root mean square distance between a marker's corners in the image and where this pose of the
 // board puts them, pixels; infinite if it puts them behind the camera or the lens cannot see them.
-double reprojection_error(const SeenBoardMarker& seen, const core::MarkerPose& camera_from_board,
-                          const core::CameraModel& camera);
+double reprojection_error(const SeenBoardMarker& seen, const common::MarkerPose& camera_from_board,
+                          const common::CameraModel& camera);
 
 }  // namespace amalgam::client

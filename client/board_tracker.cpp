@@ -8,7 +8,7 @@
 
 namespace amalgam::client {
 
-BoardTracker::BoardTracker(MarkerBoard board, const core::CameraModel& camera)
+BoardTracker::BoardTracker(MarkerBoard board, const common::CameraModel& camera)
     : board_(std::move(board)), camera_(camera) {
   const std::string defect = describe_defect(board_);
   if (!defect.empty()) throw std::runtime_error("the marker board " + defect);
@@ -40,8 +40,8 @@ BoardTracker::Tracked BoardTracker::track(std::span<const DetectedMarker> detect
   return tracked;
 }
 
-core::MarkerPose pose_of(const BoardMarker& marker, const core::MarkerPose& camera_from_board) {
-  const glm::dmat4 camera_from_marker = core::to_matrix(camera_from_board) * frame_of(marker);
+common::MarkerPose pose_of(const BoardMarker& marker, const common::MarkerPose& camera_from_board) {
+  const glm::dmat4 camera_from_marker = common::to_matrix(camera_from_board) * frame_of(marker);
   return {.marker = marker.id,
           .rotation = glm::normalize(glm::quat_cast(glm::dmat3(camera_from_marker))),
           .translation = glm::dvec3(camera_from_marker[3])};

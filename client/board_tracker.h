@@ -7,33 +7,33 @@
 
 #include "client/board_pose.h"
 #include "client/detected_marker.h"
-#include "client/pose_memory.h"
+#include "client/pose_disambiguation.h"
 
 namespace amalgam::client {
 
 class BoardTracker {
  public:
   // Throws std::runtime_error if the board has a defect.
-  BoardTracker(MarkerBoard board, const core::CameraModel& camera);
+  BoardTracker(MarkerBoard board, const common::CameraModel& camera);
 
   struct Tracked {
-    std::optional<core::MarkerPose> pose;  // camera_from_board
-    std::size_t repeated = 0;              // further markers with an id of the board: ignored
-    std::size_t outliers = 0;              // markers that contradicted the others
+    std::optional<common::MarkerPose> pose;  // camera_from_board
+    std::size_t repeated = 0;                // further markers with an id of the board: ignored
+    std::size_t outliers = 0;                // markers that contradicted the others
   };
-  // frame counts images, as for PoseMemory. Of markers with the same id the one that fits the last
-  // pose best is taken, or the largest if there is none.
+  // frame counts images, as for PoseDisambiguation. Of markers with the same id the one that fits
+  // the last pose best is taken, or the largest if there is none.
   Tracked track(std::span<const DetectedMarker> detected, std::uint64_t frame);
 
   const MarkerBoard& board() const { return board_; }
 
  private:
   MarkerBoard board_;
-  core::CameraModel camera_;
-  PoseMemory memory_;
+  common::CameraModel camera_;
+  PoseDisambiguation memory_;
 };
 
 // camera_from_marker of one of the board's markers.
-core::MarkerPose pose_of(const BoardMarker& marker, const core::MarkerPose& camera_from_board);
+common::MarkerPose pose_of(const BoardMarker& marker, const common::MarkerPose& camera_from_board);
 
 }  // namespace amalgam::client

@@ -30,7 +30,7 @@ cv::Mat read_matrix(const cv::FileStorage& storage, const char* key,
 }
 
 void read_intrinsics(const cv::Mat& k, const std::filesystem::path& file,
-                     core::CameraModel& camera) {
+                     common::CameraModel& camera) {
   if (k.rows != 3 || k.cols != 3) {
     fail(file, "camera_matrix is " + std::to_string(k.rows) + "x" + std::to_string(k.cols) +
                    " and not 3x3");
@@ -49,7 +49,7 @@ void read_intrinsics(const cv::Mat& k, const std::filesystem::path& file,
 }
 
 void read_distortion(const cv::Mat& coefficients, const std::filesystem::path& file,
-                     core::CameraModel& camera) {
+                     common::CameraModel& camera) {
   const auto count = static_cast<int>(coefficients.total());
   if (count > 0 && coefficients.rows != 1 && coefficients.cols != 1) {
     fail(file, "distortion_coefficients is not a row or a column");
@@ -67,7 +67,7 @@ void read_distortion(const cv::Mat& coefficients, const std::filesystem::path& f
 }
 
 void read_size(const cv::FileStorage& storage, const std::filesystem::path& file,
-               core::CameraModel& camera) {
+               common::CameraModel& camera) {
   const cv::FileNode width = storage["image_width"], height = storage["image_height"];
   if (width.empty() && height.empty()) return;
   if (!width.isInt() || !height.isInt() || static_cast<int>(width) < 1 ||
@@ -89,10 +89,10 @@ std::string size_text(int width, int height) {
 
 }  // namespace
 
-core::CameraModel load_calibration(const std::filesystem::path& file) {
+common::CameraModel load_calibration(const std::filesystem::path& file) {
   const std::string text = read_small_text("calibration", file);
   const QuietOpenCv quiet;
-  core::CameraModel camera;
+  common::CameraModel camera;
   try {
     const cv::FileStorage storage(text, cv::FileStorage::READ | cv::FileStorage::MEMORY);
     if (!storage.isOpened()) fail(file, "is not an OpenCV calibration file");
@@ -109,15 +109,15 @@ core::CameraModel load_calibration(const std::filesystem::path& file) {
     fail(file, "is not an OpenCV calibration file (" + reason + ")");
   }
   if (camera.width > 0) {
-    if (const std::string defect = core::describe_defect(camera); !defect.empty()) {
+    if (const std::string defect = common::describe_defect(camera); !defect.empty()) {
       fail(file, defect);
     }
   }
   return camera;
 }
 
-core::CameraModel fit_to_image(const core::CameraModel& calibration, int width, int height) {
-  core::CameraModel camera = calibration;
+common::CameraModel fit_to_image(const common::CameraModel& calibration, int width, int height) {
+  common::CameraModel camera = calibration;
   camera.width = width;
   camera.height = height;
   if (calibration.width == 0) {
@@ -141,7 +141,7 @@ core::CameraModel fit_to_image(const core::CameraModel& calibration, int width, 
     camera.cx = scaled_position(calibration.cx, scale);
     camera.cy = scaled_position(calibration.cy, scale_y);
   }
-  if (const std::string defect = core::describe_defect(camera); !defect.empty()) {
+  if (const std::string defect = common::describe_defect(camera); !defect.empty()) {
     throw std::runtime_error("the calibration cannot be used: " + defect);
   }
   return camera;

@@ -8,16 +8,16 @@
 
 #include <filesystem>
 
-#include "core/camera_model.h"
+#include "common/camera_model.h"
 
 namespace amalgam::client {
 
 // Width and height of the result are 0 if the file does not state them: see fit_to_image().
-core::CameraModel load_calibration(const std::filesystem::path& file);
+common::CameraModel load_calibration(const std::filesystem::path& file);
 
 // The calibration for images of this size (pixels). A calibration without a size takes the image's;
 // one of another size is scaled if the sides keep their ratio to within one pixel. Throws
 // otherwise, and if the result is not a camera that can be rendered with.
-core::CameraModel fit_to_image(const core::CameraModel& calibration, int width, int height);
+common::CameraModel fit_to_image(const common::CameraModel& calibration, int width, int height);
 
 }  // namespace amalgam::client

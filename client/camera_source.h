@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/camera_model.h"
-#include "core/pose.h"
+#include "common/camera_model.h"
+#include "common/pose.h"
 
 namespace amalgam::client {
 
@@ -18,7 +18,7 @@ struct CapturedFrame {
   Bytes jpeg;   // what is sent: baseline, of the source's size
   cv::Mat bgr;  // the same image as pixels, for finding markers
   std::chrono::steady_clock::time_point captured_at;
-  std::optional<std::vector<core::MarkerPose>> true_poses;  // known by a synthetic camera only
+  std::optional<std::vector<common::MarkerPose>> true_poses;  // known by a synthetic camera only
 };
 
 class CameraSource {
@@ -36,7 +36,7 @@ class CameraSource {
   virtual bool is_live() const { return false; }
 
   // The lens, if the source knows it better than any calibration file.
-  virtual std::optional<core::CameraModel> own_camera() const { return std::nullopt; }
+  virtual std::optional<common::CameraModel> own_camera() const { return std::nullopt; }
 };
 
 }  // namespace amalgam::client

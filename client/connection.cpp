@@ -10,7 +10,7 @@
 
 #include "client/event_queue.h"
 #include "client/link.h"
-#include "core/mailbox.h"
+#include "common/mailbox.h"
 
 namespace amalgam::client {
 namespace {
@@ -78,7 +78,7 @@ class Connection::Worker {
     link_ = std::make_shared<Link>(io_, std::move(events));
     was_welcomed_ = false;
     const auto left = std::chrono::duration_cast<milliseconds>(give_up_at_ - Clock::now());
-    link_->open(options_.host, options_.port, hello_, std::max(left, milliseconds(1)));
+    link_->open(options_.server, hello_, std::max(left, milliseconds(1)));
   }
 
   void write_waiting() {
@@ -105,7 +105,7 @@ class Connection::Worker {
   }
 
   void give_up(const std::string& text) {
-    events_.push(GaveUp{options_.host + ":" + options_.port + ": " + text});
+    events_.push(GaveUp{to_string(options_.server) + ": " + text});
   }
 
   // Doubles each time; a random half of it is left out, so that clients spread.
@@ -119,7 +119,7 @@ class Connection::Worker {
 
   const ConnectionOptions options_;
   const protocol::Hello hello_;
-  core::Mailbox<QueuedFrame> mailbox_;
+  common::Mailbox<QueuedFrame> mailbox_;
   EventQueue<ConnectionEvent> events_;
   std::thread thread_;
 

@@ -12,13 +12,13 @@
 #include <string>
 #include <variant>
 
+#include "common/host_port.h"
 #include "protocol/amalgam.pb.h"
 
 namespace amalgam::client {
 
 struct ConnectionOptions {
-  std::string host = "127.0.0.1";
-  std::string port = "7447";
+  common::HostPort server{"127.0.0.1", 7447};
   // For the first welcome, and again for each reconnecting: after that the connection gives up.
   std::chrono::milliseconds connect_timeout{5000};
   // An encoded Envelope to be sent after each welcome, before any frame; empty for none. A server

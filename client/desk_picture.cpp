@@ -11,10 +11,10 @@
 namespace amalgam::client {
 namespace {
 
-using Colour = glm::vec3;
+using Color = glm::vec3;
 using Point = glm::dvec2;
 // Nothing where the thing does not lie.
-using Layer = std::optional<Colour>;
+using Layer = std::optional<Color>;
 
 constexpr double kDegree = 0.017453292519943295;
 
@@ -52,9 +52,9 @@ bool odd(double value) {
 }
 
 // Bleached wood, about as bright and neutral as the scenes' model of the table: differential
-// rendering darkens by what the model says, and a dark or strongly coloured desk would show that as
-// coloured shadows.
-Colour wood(const Point& p) {
+// rendering darkens by what the model says, and a dark or strongly colored desk would show that as
+// colored shadows.
+Color wood(const Point& p) {
   constexpr double kPlank = 0.115;  // metres wide, running along x
   const double row = std::floor(p.y / kPlank);
   const auto plank = static_cast<std::int64_t>(row);
@@ -65,7 +65,7 @@ Colour wood(const Point& p) {
   const double grain = noise({p.x * 9.0 + shift, p.y * 260.0 + 6.0 * waves});
   const double rings = 0.5 + 0.5 * std::sin(across * 380.0 + 14.0 * waves + shift);
   const double tone = 0.80 + 0.22 * hash(plank, 2) - 0.13 * grain - 0.10 * rings;
-  return Colour(glm::dvec3(250, 240, 224) * tone);
+  return Color(glm::dvec3(250, 240, 224) * tone);
 }
 
 Layer sheet(const Point& p) {
@@ -74,9 +74,9 @@ Layer sheet(const Point& p) {
   const double line = (p.y + 0.042) / -0.008;  // lines of text, 8 mm apart
   if (printed && line - std::floor(line) < 0.42) {
     const auto word = static_cast<std::int64_t>(std::floor((p.x + 0.1) / 0.0022));
-    if (hash(word, static_cast<std::int64_t>(line)) > 0.28) return Colour(70, 74, 92);
+    if (hash(word, static_cast<std::int64_t>(line)) > 0.28) return Color(70, 74, 92);
   }
-  return Colour(236, 236, 232);
+  return Color(236, 236, 232);
 }
 
 Layer checked_cloth(const Point& p) {
@@ -86,19 +86,19 @@ Layer checked_cloth(const Point& p) {
   const int red = static_cast<int>(odd(q.x / check)) + static_cast<int>(odd(q.y / check));
   const double weave = 0.94 + 0.06 * noise(q * 900.0);
   constexpr std::array<glm::dvec3, 3> kTones{{{240, 234, 226}, {222, 112, 104}, {186, 28, 34}}};
-  return Colour(kTones[static_cast<std::size_t>(red)] * weave);
+  return Color(kTones[static_cast<std::size_t>(red)] * weave);
 }
 
 Layer notebook(const Point& p) {
   const Point q = in_frame_of({0.19, 0.24}, -14.0, p);
   if (!inside(q, 0.085, 0.12)) return {};
-  if (q.x < -0.068) return Colour(20, 28, 70);  // the spine
-  if (std::abs(q.y - 0.065) < 0.026 && std::abs(q.x - 0.01) < 0.05) return Colour(242, 236, 210);
-  if (std::abs(q.y + 0.055) < 0.006 || std::abs(q.y + 0.08) < 0.006) return Colour(246, 200, 36);
-  return Colour(32, 76, 176);
+  if (q.x < -0.068) return Color(20, 28, 70);  // the spine
+  if (std::abs(q.y - 0.065) < 0.026 && std::abs(q.x - 0.01) < 0.05) return Color(242, 236, 210);
+  if (std::abs(q.y + 0.055) < 0.006 || std::abs(q.y + 0.08) < 0.006) return Color(246, 200, 36);
+  return Color(32, 76, 176);
 }
 
-Layer colour_card(const Point& p) {
+Layer color_card(const Point& p) {
   const Point q = in_frame_of({0.155, -0.005}, 8.0, p);
   if (!inside(q, 0.044, 0.058)) return {};
   constexpr double kPitch = 0.027;
@@ -106,19 +106,19 @@ Layer colour_card(const Point& p) {
   const Point within = cell - glm::floor(cell) - 0.5;
   const bool on_swatch = cell.x >= 0 && cell.x < 3 && cell.y >= 0 && cell.y < 4 &&
                          std::max(std::abs(within.x), std::abs(within.y)) < 0.42;
-  if (!on_swatch) return Colour(28, 28, 30);
-  constexpr std::array<Colour, 12> kSwatches{{{222, 60, 48},
-                                              {64, 160, 70},
-                                              {44, 70, 160},
-                                              {240, 196, 30},
-                                              {190, 84, 150},
-                                              {20, 140, 166},
-                                              {240, 130, 40},
-                                              {96, 60, 110},
-                                              {166, 190, 60},
-                                              {244, 244, 240},
-                                              {150, 150, 150},
-                                              {84, 84, 86}}};
+  if (!on_swatch) return Color(28, 28, 30);
+  constexpr std::array<Color, 12> kSwatches{{{222, 60, 48},
+                                             {64, 160, 70},
+                                             {44, 70, 160},
+                                             {240, 196, 30},
+                                             {190, 84, 150},
+                                             {20, 140, 166},
+                                             {240, 130, 40},
+                                             {96, 60, 110},
+                                             {166, 190, 60},
+                                             {244, 244, 240},
+                                             {150, 150, 150},
+                                             {84, 84, 86}}};
   const auto index = static_cast<std::size_t>(cell.y) * 3 + static_cast<std::size_t>(cell.x);
   return kSwatches[index];
 }
@@ -126,8 +126,8 @@ Layer colour_card(const Point& p) {
 Layer coaster(const Point& p) {
   const double r = glm::length(p - Point(-0.145, -0.03));
   if (r > 0.048) return {};
-  if (r > 0.043) return Colour(16, 84, 66);
-  return odd(r / 0.009) ? Colour(38, 150, 106) : Colour(226, 232, 190);
+  if (r > 0.043) return Color(16, 84, 66);
+  return odd(r / 0.009) ? Color(38, 150, 106) : Color(226, 232, 190);
 }
 
 Layer ruler(const Point& p) {
@@ -138,8 +138,8 @@ Layer ruler(const Point& p) {
   const bool on_scale = millimetre >= 0 && millimetre < 300;
   const double tick_length = tick % 10 == 0 ? 0.011 : (tick % 5 == 0 ? 0.008 : 0.005);
   const bool inked = tick % 10 == 0 || millimetre - std::floor(millimetre) < 0.4;
-  if (on_scale && inked && 0.015 - q.y < tick_length) return Colour(40, 30, 20);
-  return Colour(244, 206, 74);
+  if (on_scale && inked && 0.015 - q.y < tick_length) return Color(40, 30, 20);
+  return Color(244, 206, 74);
 }
 
 Layer pencil(const Point& p) {
@@ -148,17 +148,17 @@ Layer pencil(const Point& p) {
   const double to_tip = 0.085 - q.x;
   if (to_tip < 0.018) {
     if (std::abs(q.y) > 0.0038 * to_tip / 0.018) return {};
-    return to_tip < 0.005 ? Colour(30, 30, 34) : Colour(228, 190, 140);
+    return to_tip < 0.005 ? Color(30, 30, 34) : Color(228, 190, 140);
   }
-  if (q.x < -0.073) return Colour(226, 120, 130);  // the rubber
-  return std::abs(q.y) < 0.0014 ? Colour(250, 150, 60) : Colour(224, 104, 24);
+  if (q.x < -0.073) return Color(226, 120, 130);  // the rubber
+  return std::abs(q.y) < 0.0014 ? Color(250, 150, 60) : Color(224, 104, 24);
 }
 
 }  // namespace
 
 glm::vec3 desk_picture(const glm::dvec2& point) {
-  for (const auto& layer : {sheet, pencil, ruler, coaster, colour_card, notebook, checked_cloth}) {
-    if (const Layer colour = layer(point)) return *colour;
+  for (const auto& layer : {sheet, pencil, ruler, coaster, color_card, notebook, checked_cloth}) {
+    if (const Layer color = layer(point)) return *color;
   }
   return wood(point);
 }

@@ -8,8 +8,8 @@ namespace {
 
 constexpr int kMinTexels = 64;  // a level below this is never needed at a desk's distance
 
-core::Image<PackedColour> half_size(const core::Image<PackedColour>& image) {
-  core::Image<PackedColour> half(image.width() / 2, image.height() / 2);
+common::Image<PackedColor> half_size(const common::Image<PackedColor>& image) {
+  common::Image<PackedColor> half(image.width() / 2, image.height() / 2);
   for (int y = 0; y < half.height(); ++y) {
     for (int x = 0; x < half.width(); ++x) {
       PackedMean<4> mean;
@@ -26,24 +26,24 @@ core::Image<PackedColour> half_size(const core::Image<PackedColour>& image) {
 }  // namespace
 
 DeskTexture::DeskTexture(const glm::dvec2& low, double side, int texels,
-                         const std::function<glm::vec3(const glm::dvec2&)>& colour_at)
+                         const std::function<glm::vec3(const glm::dvec2&)>& color_at)
     : low_(low), side_(side), texel_(side / texels) {
-  core::Image<PackedColour> finest(texels, texels);
+  common::Image<PackedColor> finest(texels, texels);
   for (int y = 0; y < texels; ++y) {
     for (int x = 0; x < texels; ++x) {
       const glm::dvec2 centre = low + texel_ * (glm::dvec2(x, y) + 0.5);
-      finest.at(x, y) = pack(core::Rgb8(glm::clamp(colour_at(centre) + 0.5f, 0.0f, 255.0f)));
+      finest.at(x, y) = pack(common::Rgb8(glm::clamp(color_at(centre) + 0.5f, 0.0f, 255.0f)));
     }
   }
   levels_.push_back({std::move(finest), 256.0 * texels / side});
   while (levels_.back().texels.width() / 2 >= kMinTexels) {
-    core::Image<PackedColour> half = half_size(levels_.back().texels);
+    common::Image<PackedColor> half = half_size(levels_.back().texels);
     const double scale = 256.0 * half.width() / side;
     levels_.push_back({std::move(half), scale});
   }
 }
 
-PackedColour DeskTexture::sample(const glm::dvec2& point, double footprint) const {
+PackedColor DeskTexture::sample(const glm::dvec2& point, double footprint) const {
   std::size_t level = 0;
   for (double texel = 2 * texel_; texel <= footprint && level + 1 < levels_.size(); texel *= 2) {
     ++level;
@@ -56,8 +56,8 @@ PackedColour DeskTexture::sample(const glm::dvec2& point, double footprint) cons
   const int x = at_x >> 8, y = at_y >> 8;
   const auto weight_x = static_cast<std::uint32_t>(at_x & 255);
   const auto weight_y = static_cast<std::uint32_t>(at_y & 255);
-  const PackedColour upper = mix_packed(image.at(x, y), image.at(x + 1, y), weight_x);
-  const PackedColour lower = mix_packed(image.at(x, y + 1), image.at(x + 1, y + 1), weight_x);
+  const PackedColor upper = mix_packed(image.at(x, y), image.at(x + 1, y), weight_x);
+  const PackedColor lower = mix_packed(image.at(x, y + 1), image.at(x + 1, y + 1), weight_x);
   return mix_packed(upper, lower, weight_y);
 }
 

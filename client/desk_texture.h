@@ -6,17 +6,17 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "client/packed_colour.h"
-#include "core/image.h"
+#include "client/packed_color.h"
+#include "common/image.h"
 
 namespace amalgam::client {
 
 class DeskTexture {
  public:
-  // Calls colour_at (8-bit sRGB values, 0..255) once for each texel's centre. Lengths in metres on
+  // Calls color_at (8-bit sRGB values, 0..255) once for each texel's centre. Lengths in metres on
   // the desk; the square starts at low and extends by side in +x and +y.
   DeskTexture(const glm::dvec2& low, double side, int texels,
-              const std::function<glm::vec3(const glm::dvec2&)>& colour_at);
+              const std::function<glm::vec3(const glm::dvec2&)>& color_at);
 
   bool covers(const glm::dvec2& point) const {
     return point.x >= low_.x && point.y >= low_.y && point.x < low_.x + side_ &&
@@ -25,11 +25,11 @@ class DeskTexture {
 
   // Bilinear, from the level whose texels are nearest below the footprint (metres on the desk that
   // the sample stands for). The point must be covered.
-  PackedColour sample(const glm::dvec2& point, double footprint) const;
+  PackedColor sample(const glm::dvec2& point, double footprint) const;
 
  private:
   struct Level {
-    core::Image<PackedColour> texels;
+    common::Image<PackedColor> texels;
     double scale = 0.0;  // 1/256 texels in a metre
   };
 

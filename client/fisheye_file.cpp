@@ -98,7 +98,7 @@ FisheyeCalibration load_fisheye(const path& file, int width, int height) {
   try {
     const cv::FileStorage storage(text, cv::FileStorage::READ | cv::FileStorage::MEMORY);
     const FisheyeCalibration calibration = read(storage, file, width, height);
-    const std::string defect = core::describe_defect(calibration.lens);
+    const std::string defect = common::describe_defect(calibration.lens);
     if (!defect.empty()) fail(file, defect);
     return calibration;
   } catch (const cv::Exception& error) {

@@ -4,12 +4,12 @@
 #include <filesystem>
 #include <glm/gtc/quaternion.hpp>
 
-#include "core/fisheye_model.h"
+#include "common/fisheye_model.h"
 
 namespace amalgam::client {
 
 struct FisheyeCalibration {
-  core::FisheyeModel lens;  // for images of the size asked for
+  common::FisheyeModel lens;  // for images of the size asked for
   glm::dquat world_from_fisheye{1.0, 0.0, 0.0, 0.0};
 };
 

@@ -1,9 +1,5 @@
 #include "client/link.h"
 
-#include <netinet/in.h>
-#include <netinet/tcp.h>
-#include <sys/socket.h>
-
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/connect.hpp>
 #include <boost/asio/error.hpp>
@@ -11,6 +7,7 @@
 #include <boost/asio/write.hpp>
 #include <utility>
 
+#include "common/tcp_options.h"
 #include "protocol/limits.h"
 
 namespace amalgam::client {
@@ -19,15 +16,6 @@ namespace {
 namespace asio = boost::asio;
 using protocol::Envelope;
 using protocol::Error;
-
-void set_tcp_options(asio::ip::tcp::socket& socket) {
-  const auto set = [&](int option, int value) {
-    ::setsockopt(socket.native_handle(), IPPROTO_TCP, option, &value, sizeof(value));
-  };
-  set(TCP_NODELAY, 1);
-  set(TCP_USER_TIMEOUT, static_cast<int>(protocol::kIdleTimeout.count()));
-  set(TCP_NOTSENT_LOWAT, protocol::kUnsentBytes);
-}
 
 // Errors that another try with the same words would only bring again.
 bool is_final(Error::Code code) {
@@ -53,13 +41,13 @@ Link::Link(asio::io_context& io, Events events)
       read_buffer_(protocol::kReadBufferBytes),
       decoder_(protocol::limits_of_client()) {}
 
-void Link::open(const std::string& host, const std::string& port, const protocol::Hello& hello,
+void Link::open(const common::HostPort& server, const protocol::Hello& hello,
                 std::chrono::milliseconds timeout) {
   Envelope envelope;
   *envelope.mutable_hello() = hello;
   hello_ = protocol::encode(envelope);
   expect_within(timeout, "no connection in time");
-  resolver_.async_resolve(host, port,
+  resolver_.async_resolve(server.host, std::to_string(server.port),
                           [self = shared_from_this()](const ErrorCode& ec, const auto& endpoints) {
                             if (ec) return self->fail(ec, "the address cannot be resolved");
                             self->connect(endpoints);
@@ -73,7 +61,8 @@ void Link::connect(const asio::ip::tcp::resolver::results_type& endpoints) {
                         if (ec) return self->fail(ec, "connect");
                         if (self->state_ != State::Connecting) return;
                         self->state_ = State::AwaitingWelcome;
-                        set_tcp_options(self->socket_);
+                        common::set_tcp_options(self->socket_.native_handle(),
+                                                {protocol::kIdleTimeout, protocol::kUnsentBytes});
                         self->write(std::move(self->hello_));
                         self->read();
                       });

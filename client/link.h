@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "common/host_port.h"
 #include "protocol/amalgam.pb.h"
 #include "protocol/framing.h"
 
@@ -43,7 +44,7 @@ class Link : public std::enable_shared_from_this<Link> {
   Link(boost::asio::io_context& io, Events events);
 
   // Connects, says hello and waits for the welcome, all within the time-out.
-  void open(const std::string& host, const std::string& port, const protocol::Hello& hello,
+  void open(const common::HostPort& server, const protocol::Hello& hello,
             std::chrono::milliseconds timeout);
 
   // True if a frame may be written now: welcomed, not draining, no write in flight.

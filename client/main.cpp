@@ -18,7 +18,8 @@
 #include "client/options.h"
 #include "client/summary.h"
 #include "client/synthetic_source.h"
-#include "core/log.h"
+#include "common/log.h"
+#include "common/token_file.h"
 #include "protocol/framing.h"
 #include "protocol/limits.h"
 
@@ -30,27 +31,14 @@ static_assert(std::atomic<bool>::is_always_lock_free);  // set from a signal han
 
 const cv::Size kSyntheticSize{800, 600};
 
-std::string read_token(const std::string& file) {
-  if (file.empty()) return {};
-  std::ifstream in(file);
-  std::string token;
-  if (!std::getline(in, token)) throw std::runtime_error("token file " + file + " cannot be read");
-  if (!token.empty() && token.back() == '\r') token.pop_back();
-  if (token.empty() || token.size() > protocol::kMaxTokenBytes) {
-    throw std::runtime_error("token file " + file + " must hold 1 to " +
-                             std::to_string(protocol::kMaxTokenBytes) + " characters");
-  }
-  return token;
-}
-
-core::CameraModel camera_for(const Options& options, cv::Size size) {
+common::CameraModel camera_for(const Options& options, cv::Size size) {
   if (!options.calibration.empty()) {
     return fit_to_image(load_calibration(options.calibration), size.width, size.height);
   }
   if (!options.synthetic) {
-    core::log_warn("no --calibration: a 60 degrees wide lens is assumed, positions will be off");
+    common::log_warn("no --calibration: a 60 degrees wide lens is assumed, positions will be off");
   }
-  return core::default_camera(size.width, size.height);
+  return common::default_camera(size.width, size.height);
 }
 
 std::unique_ptr<CameraSource> make_source(const Options& options) {
@@ -81,11 +69,14 @@ std::unique_ptr<FrameSink> make_sink(const Options& options) {
 }
 
 int run(const Options& options) {
-  core::set_log_level(options.log_level);
-  const std::string token = read_token(options.token_file);
+  common::set_log_level(options.log_level);
+  const std::string token =
+      options.token_file.empty()
+          ? std::string()
+          : common::read_token_file(options.token_file, protocol::kMaxTokenBytes);
   const auto sink = make_sink(options);
   const auto source = make_source(options);
-  const core::CameraModel camera =
+  const common::CameraModel camera =
       source->own_camera() ? *source->own_camera() : camera_for(options, source->size());
   ConnectionOptions connection_options = options.connection;
   if (!options.environment.empty()) {

@@ -6,7 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <set>
 
-#include "core/pose.h"
+#include "common/pose.h"
 
 namespace amalgam::client {
 namespace {
@@ -92,7 +92,7 @@ glm::dmat4 frame_of(const BoardMarker& marker) {
 MarkerBoard placed_on(const MarkerBoard& board, int world_marker) {
   const BoardMarker* world = board.find(world_marker);
   if (world == nullptr) return board;
-  const glm::dmat4 world_from_board = core::rigid_inverse(frame_of(*world));
+  const glm::dmat4 world_from_board = common::rigid_inverse(frame_of(*world));
   MarkerBoard placed = board;
   for (BoardMarker& marker : placed.markers) {
     for (glm::dvec3& corner : marker.corners) corner = moved(world_from_board, corner);

@@ -12,13 +12,13 @@
 namespace amalgam::client {
 namespace {
 
-cv::Mat to_grey(const cv::Mat& image, cv::ColorConversionCodes from_colour) {
+cv::Mat to_grey(const cv::Mat& image, cv::ColorConversionCodes from_color) {
   if (image.depth() != CV_8U || (image.channels() != 1 && image.channels() != 3)) {
     throw std::invalid_argument("markers are sought in 8-bit images of 1 or 3 channels");
   }
   if (image.channels() == 1) return image;
   cv::Mat grey;
-  cv::cvtColor(image, grey, from_colour);
+  cv::cvtColor(image, grey, from_color);
   return grey;
 }
 
@@ -29,7 +29,7 @@ struct Candidate {
 
 // Among markers of one id: the one nearest to where it was, or the largest if that is not known.
 const Candidate& pick(const std::vector<Candidate>& candidates,
-                      const std::optional<core::MarkerPose>& previous) {
+                      const std::optional<common::MarkerPose>& previous) {
   return *std::ranges::min_element(candidates, {}, [&](const Candidate& candidate) {
     if (!previous) return -area(candidate.marker->corners);
     return glm::distance(previous->translation, candidate.solutions[0].pose.translation);
@@ -38,7 +38,7 @@ const Candidate& pick(const std::vector<Candidate>& candidates,
 
 }  // namespace
 
-MarkerTracker::MarkerTracker(const TrackerOptions& options, const core::CameraModel& camera)
+MarkerTracker::MarkerTracker(const TrackerOptions& options, const common::CameraModel& camera)
     : options_(options),
       camera_(camera),
       dictionary_(find_dictionary(options.dictionary)),
@@ -46,7 +46,7 @@ MarkerTracker::MarkerTracker(const TrackerOptions& options, const core::CameraMo
   if (!(options.marker_length > 0) || !std::isfinite(options.marker_length)) {
     throw std::runtime_error("the marker length must be positive");
   }
-  if (const std::string defect = core::describe_defect(camera); !defect.empty()) {
+  if (const std::string defect = common::describe_defect(camera); !defect.empty()) {
     throw std::runtime_error("markers cannot be tracked: " + defect);
   }
   if (options.board) board_.emplace(placed_on(*options.board, options.world_marker), camera);
@@ -56,13 +56,13 @@ std::vector<DetectedMarker> MarkerTracker::detect(const cv::Mat& image) const {
   return detect_grey(to_grey(image, cv::COLOR_BGR2GRAY));
 }
 
-std::vector<core::MarkerPose> MarkerTracker::track(const cv::Mat& image) {
+std::vector<common::MarkerPose> MarkerTracker::track(const cv::Mat& image) {
   return track_grey(to_grey(image, cv::COLOR_BGR2GRAY));
 }
 
-std::vector<core::MarkerPose> MarkerTracker::track(const core::ImageRgb8& image) {
+std::vector<common::MarkerPose> MarkerTracker::track(const common::ImageRgb8& image) {
   // cv::Mat has no view of constant pixels; to_grey() only reads them.
-  auto* pixels = const_cast<core::Rgb8*>(image.data());
+  auto* pixels = const_cast<common::Rgb8*>(image.data());
   const cv::Mat view(image.height(), image.width(), CV_8UC3, pixels);
   return track_grey(to_grey(view, cv::COLOR_RGB2GRAY));
 }
@@ -89,15 +89,15 @@ bool MarkerTracker::is_of_interest(int id) const {
   return options_.ids.empty() || std::ranges::find(options_.ids, id) != options_.ids.end();
 }
 
-std::vector<core::MarkerPose> MarkerTracker::track_grey(const cv::Mat& grey) {
+std::vector<common::MarkerPose> MarkerTracker::track_grey(const cv::Mat& grey) {
   if (grey.cols != camera_.width || grey.rows != camera_.height) {
     throw std::invalid_argument("the image has another size than the camera");
   }
   ++counts_.images;
   const std::vector<DetectedMarker> detected = detect_grey(grey);
-  std::map<int, core::MarkerPose> of_id = single_poses(detected);
+  std::map<int, common::MarkerPose> of_id = single_poses(detected);
   if (board_) add_board_poses(detected, of_id);
-  std::vector<core::MarkerPose> poses;
+  std::vector<common::MarkerPose> poses;
   for (const auto& [id, pose] : of_id) {
     poses.push_back(pose);
     poses.back().marker = id;
@@ -106,7 +106,7 @@ std::vector<core::MarkerPose> MarkerTracker::track_grey(const cv::Mat& grey) {
   return poses;
 }
 
-std::map<int, core::MarkerPose> MarkerTracker::single_poses(
+std::map<int, common::MarkerPose> MarkerTracker::single_poses(
     const std::vector<DetectedMarker>& detected) {
   std::map<int, std::vector<Candidate>> candidates;
   for (const DetectedMarker& marker : detected) {
@@ -119,10 +119,10 @@ std::map<int, core::MarkerPose> MarkerTracker::single_poses(
       candidates[marker.id].push_back({&marker, std::move(solutions)});
     }
   }
-  std::map<int, core::MarkerPose> poses;
+  std::map<int, common::MarkerPose> poses;
   for (const auto& [id, of_id] : candidates) {
     counts_.repeated += of_id.size() - 1;
-    PoseMemory& memory = memories_[id];
+    PoseDisambiguation& memory = memories_[id];
     const Candidate& chosen = pick(of_id, memory.previous(counts_.images));
     if (const auto pose = memory.choose(chosen.solutions, counts_.images)) poses[id] = *pose;
   }
@@ -130,7 +130,7 @@ std::map<int, core::MarkerPose> MarkerTracker::single_poses(
 }
 
 void MarkerTracker::add_board_poses(const std::vector<DetectedMarker>& detected,
-                                    std::map<int, core::MarkerPose>& poses) {
+                                    std::map<int, common::MarkerPose>& poses) {
   const BoardTracker::Tracked tracked = board_->track(detected, counts_.images);
   counts_.repeated += tracked.repeated;
   counts_.board_outliers += tracked.outliers;

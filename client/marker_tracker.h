@@ -1,6 +1,6 @@
 // Finds ArUco markers in camera images and says where they are, frame after frame.
 //
-// Poses are camera_from_marker (core/pose.h). A marker that is not seen has no entry, unless it
+// Poses are camera_from_marker (common/pose.h). A marker that is not seen has no entry, unless it
 // belongs to a board of which others are seen: holding a last good pose is the server's. Used by
 // one thread at a time.
 #pragma once
@@ -14,11 +14,11 @@
 #include <vector>
 
 #include "client/board_tracker.h"
-#include "client/pose_memory.h"
+#include "client/pose_disambiguation.h"
 #include "client/square_pose.h"
-#include "core/camera_model.h"
-#include "core/image.h"
-#include "core/pose.h"
+#include "common/camera_model.h"
+#include "common/image.h"
+#include "common/pose.h"
 
 namespace amalgam::client {
 
@@ -46,31 +46,31 @@ class MarkerTracker {
  public:
   // Throws std::runtime_error for an unknown dictionary, a marker length that is not positive, or a
   // camera with a defect.
-  MarkerTracker(const TrackerOptions& options, const core::CameraModel& camera);
+  MarkerTracker(const TrackerOptions& options, const common::CameraModel& camera);
 
   // Every marker of interest or of the board in a BGR or grey 8-bit image, repeated ids included.
   std::vector<DetectedMarker> detect(const cv::Mat& image) const;
 
   // One pose for each marker of interest, in ascending order of ids. The image must have the
   // camera's size; throws std::invalid_argument if it has not.
-  std::vector<core::MarkerPose> track(const cv::Mat& image);
-  std::vector<core::MarkerPose> track(const core::ImageRgb8& image);
+  std::vector<common::MarkerPose> track(const cv::Mat& image);
+  std::vector<common::MarkerPose> track(const common::ImageRgb8& image);
 
   const TrackerCounts& counts() const { return counts_; }
 
  private:
-  std::vector<core::MarkerPose> track_grey(const cv::Mat& grey);
+  std::vector<common::MarkerPose> track_grey(const cv::Mat& grey);
   std::vector<DetectedMarker> detect_grey(const cv::Mat& grey) const;
   bool is_of_interest(int id) const;
-  std::map<int, core::MarkerPose> single_poses(const std::vector<DetectedMarker>& detected);
+  std::map<int, common::MarkerPose> single_poses(const std::vector<DetectedMarker>& detected);
   void add_board_poses(const std::vector<DetectedMarker>& detected,
-                       std::map<int, core::MarkerPose>& poses);
+                       std::map<int, common::MarkerPose>& poses);
 
   TrackerOptions options_;
-  core::CameraModel camera_;
+  common::CameraModel camera_;
   cv::Ptr<cv::aruco::Dictionary> dictionary_;
   cv::Ptr<cv::aruco::DetectorParameters> parameters_;
-  std::map<int, PoseMemory> memories_;
+  std::map<int, PoseDisambiguation> memories_;
   std::optional<BoardTracker> board_;
   TrackerCounts counts_;
 };

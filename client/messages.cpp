@@ -6,7 +6,7 @@
 #include "protocol/limits.h"
 
 namespace amalgam::client {
-protocol::Hello hello_message(const core::CameraModel& camera, const std::string& token,
+protocol::Hello hello_message(const common::CameraModel& camera, const std::string& token,
                               int jpeg_quality) {
   protocol::Hello hello;
   hello.set_version(protocol::kProtocolVersion);
@@ -17,7 +17,7 @@ protocol::Hello hello_message(const core::CameraModel& camera, const std::string
 }
 
 protocol::Envelope frame_message(std::uint64_t frame_id, const CapturedFrame& frame,
-                                 std::span<const core::MarkerPose> poses) {
+                                 std::span<const common::MarkerPose> poses) {
   protocol::Envelope envelope;
   protocol::CameraFrame& out = *envelope.mutable_camera_frame();
   out.set_frame_id(frame_id);
@@ -25,7 +25,7 @@ protocol::Envelope frame_message(std::uint64_t frame_id, const CapturedFrame& fr
       std::chrono::duration_cast<std::chrono::microseconds>(frame.captured_at.time_since_epoch());
   out.set_capture_time_us(static_cast<std::uint64_t>(since_epoch.count()));
   const std::size_t count = std::min(poses.size(), static_cast<std::size_t>(protocol::kMaxPoses));
-  for (const core::MarkerPose& pose : poses.first(count))
+  for (const common::MarkerPose& pose : poses.first(count))
     *out.add_poses() = protocol::to_message(pose);
   out.set_jpeg(frame.jpeg.data(), frame.jpeg.size());
   return envelope;

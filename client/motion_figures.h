@@ -14,7 +14,7 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
-#include "core/pose.h"
+#include "common/pose.h"
 
 namespace amalgam::client {
 

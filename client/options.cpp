@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "client/board_description.h"
-#include "core/build_info.h"
+#include "common/build_info.h"
 #include "protocol/limits.h"
 
 namespace amalgam::client {
@@ -109,19 +109,13 @@ void add_sink(CLI::App& app, Options& options) {
 
 }  // namespace
 
-void set_server(const std::string& text, ConnectionOptions& connection) {
-  const std::size_t colon = text.rfind(':');
-  std::string host = colon == std::string::npos ? "" : text.substr(0, colon);
-  const std::string port = colon == std::string::npos ? "" : text.substr(colon + 1);
-  if (host.size() > 2 && host.front() == '[' && host.back() == ']') {
-    host = host.substr(1, host.size() - 2);
+common::HostPort parse_server(const std::string& text) {
+  try {
+    const common::HostPort server = common::parse_host_port(text);
+    if (server.port != 0) return server;
+  } catch (const std::invalid_argument&) {
   }
-  constexpr int kMaxPort = 65535;
-  if (host.empty() || !parse_number(port, 1, kMaxPort)) {
-    throw std::runtime_error("'" + text + "' is not host:port");
-  }
-  connection.host = host;
-  connection.port = port;
+  throw std::runtime_error("'" + text + "' is not HOST:PORT, as desk.example:7447 or [::1]:7447");
 }
 
 OneEuroOptions parse_smoothing(const std::string& text) {
@@ -163,20 +157,16 @@ std::optional<Options> parse_options(int argc, const char* const* argv, int& exi
   CLI::App app("Sends camera images to an Amalgam server and receives them with virtual objects.",
                "amalgam-client");
   app.option_defaults()->always_capture_default();
-  app.set_version_flag("--version", core::version_line("amalgam-client"));
+  app.set_version_flag("--version", common::version_line("amalgam-client"));
   app.failure_message([](const CLI::App*, const CLI::Error& error) {
     return std::string("amalgam-client: ") + error.what() + " (--help lists the options)\n";
   });
   std::string server = "127.0.0.1:7447", size, synthetic_poses = "detected", smoothing;
   BoardTexts board;
   double connect_timeout = 5.0;
-  const auto check_server = [](const std::string& text) {
-    ConnectionOptions ignored;
-    set_server(text, ignored);
-  };
   app.add_option("--server", server, "server's address")
       ->type_name("HOST:PORT")
-      ->check(checked_by(check_server));
+      ->check(checked_by(parse_server));
   app.add_option("--connect-timeout", connect_timeout,
                  "seconds to find the server, at first and after each loss")
       ->type_name("S")
@@ -234,7 +224,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv, int& exi
     exit_code = app.exit(error);
     return std::nullopt;
   }
-  set_server(server, options.connection);
+  options.connection.server = parse_server(server);
   options.connection.connect_timeout =
       std::chrono::milliseconds(static_cast<std::int64_t>(connect_timeout * 1000.0));
   if (!size.empty()) options.size = parse_size(size);

@@ -39,8 +39,8 @@ struct Options {
 // Nothing if the program is to end now with the exit code (help, or a mistake that was said).
 std::optional<Options> parse_options(int argc, const char* const* argv, int& exit_code);
 
-// "host:port" or "[address]:port". Throws std::runtime_error.
-void set_server(const std::string& text, ConnectionOptions& connection);
+// "host:port" or "[address]:port", port not 0. Throws std::runtime_error.
+common::HostPort parse_server(const std::string& text);
 
 // "MINCUTOFF[:BETA]" of a One-Euro filter. Throws std::runtime_error.
 OneEuroOptions parse_smoothing(const std::string& text);

@@ -1,15 +1,15 @@
 // Sends a marker's last pose again while the new one would move nothing visibly.
 //
 // On a tripod, detected poses tremble by a fraction of a pixel. With a dead band the objects stand
-// still, and the server, to which nothing has moved, only looks up the camera's new colours.
+// still, and the server, to which nothing has moved, only looks up the camera's new colors.
 #pragma once
 
 #include <cstdint>
 #include <map>
 #include <vector>
 
-#include "core/camera_model.h"
-#include "core/pose.h"
+#include "common/camera_model.h"
+#include "common/pose.h"
 
 namespace amalgam::client {
 
@@ -17,20 +17,20 @@ class PoseDeadBand {
  public:
   // pixels: how far the picture of a point on the marker, or up to one marker's length above it,
   // may move before the pose is followed. marker_length: metres.
-  PoseDeadBand(double pixels, double marker_length, const core::CameraModel& camera)
+  PoseDeadBand(double pixels, double marker_length, const common::CameraModel& camera)
       : pixels_(pixels), marker_length_(marker_length), camera_(camera) {}
 
   // The poses of one image. A marker that is missing loses its last pose.
-  std::vector<core::MarkerPose> hold(std::vector<core::MarkerPose> poses);
+  std::vector<common::MarkerPose> hold(std::vector<common::MarkerPose> poses);
 
   std::uint64_t held() const { return held_; }  // poses that were replaced by the last one
 
  private:
-  bool is_within(const core::MarkerPose& a, const core::MarkerPose& b) const;
+  bool is_within(const common::MarkerPose& a, const common::MarkerPose& b) const;
 
   double pixels_, marker_length_;
-  core::CameraModel camera_;
-  std::map<int, core::MarkerPose> last_;
+  common::CameraModel camera_;
+  std::map<int, common::MarkerPose> last_;
   std::uint64_t held_ = 0;
 };
 

@@ -2,12 +2,12 @@
 
 namespace amalgam::client {
 
-std::vector<core::MarkerPose> PoseSmoother::smooth(std::vector<core::MarkerPose> poses,
-                                                   Time captured_at) {
+std::vector<common::MarkerPose> PoseSmoother::smooth(std::vector<common::MarkerPose> poses,
+                                                     Time captured_at) {
   ++images_;
   std::erase_if(tracks_,
                 [&](const auto& entry) { return images_ - entry.second.image > kMaxMissed + 1; });
-  for (core::MarkerPose& pose : poses) {
+  for (common::MarkerPose& pose : poses) {
     ++poses_;
     const auto found = tracks_.find(pose.marker);
     if (found != tracks_.end()) {
@@ -30,14 +30,14 @@ std::vector<core::MarkerPose> PoseSmoother::smooth(std::vector<core::MarkerPose>
   return poses;
 }
 
-void PoseSmoother::follow(Track& track, core::MarkerPose& pose, Time captured_at) {
+void PoseSmoother::follow(Track& track, common::MarkerPose& pose, Time captured_at) {
   const double seconds = std::chrono::duration<double>(captured_at - track.at).count();
   if (!(seconds > 0)) return;
-  const core::MarkerPose raw = pose;
+  const common::MarkerPose raw = pose;
   pose.translation = track.position.filter(raw.translation, seconds);
   pose.rotation = track.rotation.filter(raw.rotation, seconds);
 
-  const auto turn = [](const core::MarkerPose& from, const core::MarkerPose& to) {
+  const auto turn = [](const common::MarkerPose& from, const common::MarkerPose& to) {
     return rotation_vector(to.rotation * glm::conjugate(from.rotation));
   };
   const Step moved{raw.translation - track.raw.translation,

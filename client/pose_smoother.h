@@ -13,7 +13,7 @@
 
 #include "client/motion_figures.h"
 #include "client/one_euro.h"
-#include "core/pose.h"
+#include "common/pose.h"
 
 namespace amalgam::client {
 
@@ -31,7 +31,7 @@ class PoseSmoother {
   explicit PoseSmoother(const OneEuroOptions& options) : options_(options) {}
 
   // The poses of one image, captured at this time. Times that do not advance leave poses raw.
-  std::vector<core::MarkerPose> smooth(std::vector<core::MarkerPose> poses, Time captured_at);
+  std::vector<common::MarkerPose> smooth(std::vector<common::MarkerPose> poses, Time captured_at);
 
   SmoothingReport report() const;
 
@@ -42,12 +42,12 @@ class PoseSmoother {
   struct Track {
     OneEuroPosition position;
     OneEuroRotation rotation;
-    core::MarkerPose raw, smoothed;  // the last
+    common::MarkerPose raw, smoothed;  // the last
     std::optional<Step> moved, turned;
     Time at;
     std::uint64_t image = 0;  // in which it was seen last
   };
-  void follow(Track& track, core::MarkerPose& pose, Time captured_at);
+  void follow(Track& track, common::MarkerPose& pose, Time captured_at);
 
   OneEuroOptions options_;
   std::map<int, Track> tracks_;

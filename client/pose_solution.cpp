@@ -40,22 +40,22 @@ std::optional<PoseSolution> make_solution(const cv::Mat& rotation_vector,
     return std::nullopt;
   }
   solution.pose.rotation = glm::normalize(glm::quat_cast(matrix));
-  if (!core::is_usable(solution.pose)) return std::nullopt;
+  if (!common::is_usable(solution.pose)) return std::nullopt;
   return solution;
 }
 
 std::optional<std::vector<cv::Point2d>> ideal_pixels(std::span<const glm::dvec2> pixels,
-                                                     const core::CameraModel& camera) {
+                                                     const common::CameraModel& camera) {
   std::vector<cv::Point2d> ideal;
   for (const glm::dvec2& pixel : pixels) {
-    const auto direction = core::pixel_direction(camera, pixel);
+    const auto direction = common::pixel_direction(camera, pixel);
     if (!direction) return std::nullopt;
     ideal.emplace_back(camera.fx * direction->x + camera.cx, camera.fy * direction->y + camera.cy);
   }
   return ideal;
 }
 
-cv::Matx33d intrinsic_matrix(const core::CameraModel& camera) {
+cv::Matx33d intrinsic_matrix(const common::CameraModel& camera) {
   return {camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1};
 }
 

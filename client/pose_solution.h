@@ -1,8 +1,8 @@
 // One pose that explains where a target's points are seen; flat targets usually have two.
 //
 // Seen with little perspective, a tilted plane and its mirror image about the line of sight look
-// the same, so IPPE [Collins & Bartoli 2014] gives both; which one is real is for PoseMemory to
-// say.
+// the same, so IPPE [Collins & Bartoli 2014] gives both; which one is real is for
+// PoseDisambiguation to say.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -11,14 +11,14 @@
 #include <span>
 #include <vector>
 
-#include "core/camera_model.h"
-#include "core/pose.h"
+#include "common/camera_model.h"
+#include "common/pose.h"
 
 namespace amalgam::client {
 
 struct PoseSolution {
-  core::MarkerPose pose;  // camera_from_target; its marker id is left 0
-  double error = 0.0;     // root mean square distance of the points, pixels without distortion
+  common::MarkerPose pose;  // camera_from_target; its marker id is left 0
+  double error = 0.0;       // root mean square distance of the points, pixels without distortion
 };
 
 // From a rotation vector and a translation as OpenCV gives them. Nothing if they are not finite,
@@ -30,9 +30,9 @@ std::optional<PoseSolution> make_solution(const cv::Mat& rotation_vector,
 // be inverted. Not left to OpenCV's solvers, whose inversion of the distortion stops after five
 // steps whatever the remaining error.
 std::optional<std::vector<cv::Point2d>> ideal_pixels(std::span<const glm::dvec2> pixels,
-                                                     const core::CameraModel& camera);
+                                                     const common::CameraModel& camera);
 
-cv::Matx33d intrinsic_matrix(const core::CameraModel& camera);
+cv::Matx33d intrinsic_matrix(const common::CameraModel& camera);
 
 // The angle between two rotations, radians, 0 to pi.
 double angle_between(const glm::dquat& a, const glm::dquat& b);

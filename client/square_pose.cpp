@@ -9,12 +9,12 @@ namespace amalgam::client {
 namespace {
 
 // Paper is printed on one side.
-bool shows_its_face(const core::MarkerPose& pose) {
+bool shows_its_face(const common::MarkerPose& pose) {
   return glm::dot(pose.rotation * glm::dvec3(0, 0, 1), pose.translation) < 0;
 }
 
 std::vector<PoseSolution> solve_ideal(const std::vector<cv::Point2d>& corners, double length,
-                                      const core::CameraModel& camera) {
+                                      const common::CameraModel& camera) {
   const double half = 0.5 * length;
   const std::vector<cv::Point3d> marker{
       {-half, half, 0}, {half, half, 0}, {half, -half, 0}, {-half, -half, 0}};
@@ -40,7 +40,7 @@ std::vector<PoseSolution> solve_ideal(const std::vector<cv::Point2d>& corners, d
 }  // namespace
 
 std::vector<PoseSolution> solve_square(const SquareCorners& corners, double marker_length,
-                                       const core::CameraModel& camera) {
+                                       const common::CameraModel& camera) {
   auto ideal = ideal_pixels(corners, camera);
   if (!ideal) return {};
   auto solutions = solve_ideal(*ideal, marker_length, camera);

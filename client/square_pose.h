@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "client/pose_solution.h"
-#include "core/camera_model.h"
+#include "common/camera_model.h"
 
 namespace amalgam::client {
 
@@ -18,6 +18,6 @@ using SquareCorners = std::array<glm::dvec2, 4>;
 // solutions that show the marker's back. None at all if a corner lies where the lens model cannot
 // be inverted. marker_length in metres.
 std::vector<PoseSolution> solve_square(const SquareCorners& corners, double marker_length,
-                                       const core::CameraModel& camera);
+                                       const common::CameraModel& camera);
 
 }  // namespace amalgam::client

@@ -18,21 +18,21 @@ double sample_position(int sample) {
 }
 
 // The wall behind the desk, by how steeply a ray leaves: it gives mirrors and horizons a direction.
-PackedColour wall(const glm::dvec3& direction) {
+PackedColor wall(const glm::dvec3& direction) {
   const double height = direction.z / glm::length(direction);
   const auto lit = static_cast<float>(glm::clamp(0.55 + 0.6 * height, 0.25, 1.0));
-  return pack(core::Rgb8(glm::vec3(196, 208, 220) * lit));
+  return pack(common::Rgb8(glm::vec3(196, 208, 220) * lit));
 }
 
 }  // namespace
 
-SyntheticCamera::SyntheticCamera(const core::CameraModel& camera)
+SyntheticCamera::SyntheticCamera(const common::CameraModel& camera)
     : SyntheticCamera(camera, std::make_shared<const SyntheticDesk>(PrintedMarker{})) {}
 
-SyntheticCamera::SyntheticCamera(const core::CameraModel& camera,
+SyntheticCamera::SyntheticCamera(const common::CameraModel& camera,
                                  std::shared_ptr<const SyntheticDesk> desk)
     : camera_(camera), desk_(std::move(desk)) {
-  if (const std::string defect = core::describe_defect(camera); !defect.empty()) {
+  if (const std::string defect = common::describe_defect(camera); !defect.empty()) {
     throw std::runtime_error("the synthetic camera cannot be made: " + defect);
   }
   if (!camera.has_distortion()) {
@@ -46,11 +46,11 @@ SyntheticCamera::SyntheticCamera(const core::CameraModel& camera,
   }
   // Inverting the lens costs more than all else of a sample, and is the same in every frame.
   const int width = camera.width * kSamplesPerSide, height = camera.height * kSamplesPerSide;
-  distorted_rays_.reserve(core::checked_pixel_count(width, height));
+  distorted_rays_.reserve(common::checked_pixel_count(width, height));
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       const auto direction =
-          core::pixel_direction(camera, {sample_position(x), sample_position(y)});
+          common::pixel_direction(camera, {sample_position(x), sample_position(y)});
       if (!direction) throw std::runtime_error("the lens cannot be inverted at a pixel");
       distorted_rays_.emplace_back(direction->x, direction->y);
     }
@@ -58,7 +58,7 @@ SyntheticCamera::SyntheticCamera(const core::CameraModel& camera,
 }
 
 SyntheticFrame SyntheticCamera::render(std::uint64_t frame) const {
-  const core::MarkerPose pose = synthetic_pose(frame, desk_->marker().id);
+  const common::MarkerPose pose = synthetic_pose(frame, desk_->marker().id);
   return {render(pose), pose};
 }
 
@@ -72,8 +72,8 @@ glm::dvec2 SyntheticCamera::ray(int sample_x, int sample_y) const {
           row_y_[static_cast<std::size_t>(sample_y)]};
 }
 
-core::ImageRgb8 SyntheticCamera::render(const core::MarkerPose& pose) const {
-  const glm::dmat4 marker_from_camera = core::rigid_inverse(core::to_matrix(pose));
+common::ImageRgb8 SyntheticCamera::render(const common::MarkerPose& pose) const {
+  const glm::dmat4 marker_from_camera = common::rigid_inverse(common::to_matrix(pose));
   const glm::dmat3 rotation(marker_from_camera);
   const glm::dvec3 eye(marker_from_camera[3]);
   const double sample_angle = 1.0 / (kSamplesPerSide * camera_.fx);  // radians, about
@@ -84,10 +84,10 @@ core::ImageRgb8 SyntheticCamera::render(const core::MarkerPose& pose) const {
     const double distance = -eye.z / direction.z;  // along z of the camera
     if (!(distance > 0)) return wall(direction);
     const glm::dvec2 point = glm::dvec2(eye) + distance * glm::dvec2(direction);
-    return desk_->covers(point) ? desk_->colour(point, distance * sample_angle) : wall(direction);
+    return desk_->covers(point) ? desk_->color(point, distance * sample_angle) : wall(direction);
   };
 
-  core::ImageRgb8 image(camera_.width, camera_.height);
+  common::ImageRgb8 image(camera_.width, camera_.height);
   for (int y = 0; y < image.height(); ++y) {
     for (int x = 0; x < image.width(); ++x) {
       // The mean of encoded values, not of light: a mean of light would shift every black-white

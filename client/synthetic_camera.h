@@ -1,7 +1,7 @@
 // A camera that needs no hardware: it films the synthetic desk from poses that are known exactly.
 //
 // Every frame is a function of its pose alone, the same on every machine. Lens distortion, where
-// the camera has some, is that of core/camera_model.h.
+// the camera has some, is that of common/camera_model.h.
 #pragma once
 
 #include <cstdint>
@@ -9,36 +9,36 @@
 #include <vector>
 
 #include "client/synthetic_desk.h"
-#include "core/camera_model.h"
-#include "core/image.h"
-#include "core/pose.h"
+#include "common/camera_model.h"
+#include "common/image.h"
+#include "common/pose.h"
 
 namespace amalgam::client {
 
 struct SyntheticFrame {
-  core::ImageRgb8 image;
-  core::MarkerPose pose;  // true camera_from_marker
+  common::ImageRgb8 image;
+  common::MarkerPose pose;  // true camera_from_marker
 };
 
 class SyntheticCamera {
  public:
   // The desk may be shared between cameras; making one takes some tenths of a second. Throws
   // std::runtime_error if the camera has a defect.
-  SyntheticCamera(const core::CameraModel& camera, std::shared_ptr<const SyntheticDesk> desk);
-  explicit SyntheticCamera(const core::CameraModel& camera);
+  SyntheticCamera(const common::CameraModel& camera, std::shared_ptr<const SyntheticDesk> desk);
+  explicit SyntheticCamera(const common::CameraModel& camera);
 
   // Frame 0, 1, ... of the path in synthetic_path.h.
   SyntheticFrame render(std::uint64_t frame) const;
 
   // The desk as seen from any pose in front of it.
-  core::ImageRgb8 render(const core::MarkerPose& pose) const;
+  common::ImageRgb8 render(const common::MarkerPose& pose) const;
 
-  const core::CameraModel& camera() const { return camera_; }
+  const common::CameraModel& camera() const { return camera_; }
 
  private:
   glm::dvec2 ray(int sample_x, int sample_y) const;
 
-  core::CameraModel camera_;
+  common::CameraModel camera_;
   std::shared_ptr<const SyntheticDesk> desk_;
   // Directions (x, y with z = 1) of the samples: one each, row by row, or without distortion one
   // for each column and each row.

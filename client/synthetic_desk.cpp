@@ -15,8 +15,8 @@ constexpr int kDeskTexels = 1500;
 constexpr double kNearSide = 0.64;
 constexpr int kNearTexels = 1600;
 
-constexpr PackedColour kInk = 0x1A1818;
-constexpr PackedColour kPaper = 0xE8ECEC;
+constexpr PackedColor kInk = 0x1A1818;
+constexpr PackedColor kPaper = 0xE8ECEC;
 
 }  // namespace
 
@@ -46,7 +46,7 @@ SyntheticDesk::SyntheticDesk(const PrintedMarker& marker)
   }
 }
 
-PackedColour SyntheticDesk::colour(const glm::dvec2& point, double footprint) const {
+PackedColor SyntheticDesk::color(const glm::dvec2& point, double footprint) const {
   // The marker is evaluated and not looked up: its edges are where poses come from.
   const double column = point.x * cells_per_metre_ + 0.5 * cells_;
   const double row = 0.5 * cells_ - point.y * cells_per_metre_;

@@ -1,5 +1,5 @@
 // What the synthetic camera looks at: a wooden desk with a sheet of paper that bears a real ArUco
-// marker, and flat coloured things around it that are recognisable when glass turns them upside
+// marker, and flat colored things around it that are recognisable when glass turns them upside
 // down.
 //
 // The desk is the plane z = 0 of OpenCV's marker frame: points are (x to the marker's right, y to
@@ -29,7 +29,7 @@ class SyntheticDesk {
   bool covers(const glm::dvec2& point) const { return whole_.covers(point); }
 
   // footprint: metres on the desk that the sample stands for. The point must be covered.
-  PackedColour colour(const glm::dvec2& point, double footprint) const;
+  PackedColor color(const glm::dvec2& point, double footprint) const;
 
   const PrintedMarker& marker() const { return marker_; }
 

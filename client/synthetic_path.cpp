@@ -15,8 +15,8 @@ constexpr glm::dvec3 kTarget{0.0, 0.05, 0.03};
 
 }  // namespace
 
-core::MarkerPose look_at(const glm::dvec3& position_in_marker, const glm::dvec3& target_in_marker,
-                         int marker) {
+common::MarkerPose look_at(const glm::dvec3& position_in_marker, const glm::dvec3& target_in_marker,
+                           int marker) {
   const glm::dvec3 forward = glm::normalize(target_in_marker - position_in_marker);
   const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0, 0, 1)));
   const glm::dvec3 down = glm::cross(forward, right);
@@ -27,7 +27,7 @@ core::MarkerPose look_at(const glm::dvec3& position_in_marker, const glm::dvec3&
           .translation = -(camera_from_marker * position_in_marker)};
 }
 
-core::MarkerPose synthetic_pose(std::uint64_t frame, int marker) {
+common::MarkerPose synthetic_pose(std::uint64_t frame, int marker) {
   const double turn = 2.0 * std::numbers::pi * static_cast<double>(frame % kSyntheticPeriod) /
                       static_cast<double>(kSyntheticPeriod);
   // Different whole multiples of the turn: smooth, closed, and never at rest in all three at once.

@@ -9,12 +9,12 @@ namespace amalgam::client {
 class SyntheticSource : public CameraSource {
  public:
   // with_true_poses: frames carry the exact pose; otherwise it is left to be detected.
-  SyntheticSource(const core::CameraModel& camera, bool with_true_poses, int jpeg_quality)
+  SyntheticSource(const common::CameraModel& camera, bool with_true_poses, int jpeg_quality)
       : camera_(camera), with_true_poses_(with_true_poses), jpeg_quality_(jpeg_quality) {}
 
   cv::Size size() const override { return {camera_.camera().width, camera_.camera().height}; }
   std::optional<CapturedFrame> next() override;
-  std::optional<core::CameraModel> own_camera() const override { return camera_.camera(); }
+  std::optional<common::CameraModel> own_camera() const override { return camera_.camera(); }
 
  private:
   SyntheticCamera camera_;

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "client/messages.h"
-#include "core/log.h"
+#include "common/log.h"
 #include "protocol/framing.h"
 
 namespace amalgam::client {
@@ -18,8 +18,9 @@ constexpr std::chrono::seconds kFinishTimeout{30};
 
 }  // namespace
 
-Viewer::Viewer(const ViewerOptions& options, const core::CameraModel& camera, CameraSource& source,
-               FrameSink* sink, Connection& connection, const std::atomic<bool>& stop)
+Viewer::Viewer(const ViewerOptions& options, const common::CameraModel& camera,
+               CameraSource& source, FrameSink* sink, Connection& connection,
+               const std::atomic<bool>& stop)
     : options_(options),
       camera_(camera),
       source_(source),
@@ -36,8 +37,8 @@ ViewerSummary Viewer::run() {
     finish();
     summary_.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   }
-  summary_.frames = ledger_.counts();
-  summary_.latency = ledger_.latency();
+  summary_.frames = in_flight_.counts();
+  summary_.latency = in_flight_.latency();
   if (tracker_) summary_.markers = tracker_->counts();
   if (smoother_) summary_.smoothing = smoother_->report();
   if (dead_band_) summary_.poses_held = dead_band_->held();
@@ -59,7 +60,7 @@ void Viewer::stream() {
     send(*frame);
     while (handle_next(milliseconds(0))) {
     }
-    while (options_.lockstep && ledger_.has_open() && !is_stopped()) handle_next(kMaxWait);
+    while (options_.lockstep && in_flight_.has_open() && !is_stopped()) handle_next(kMaxWait);
     if (options_.lockstep || source_.is_live()) continue;
     // A machine that cannot keep the rate sends as fast as it can, and does not catch up in a
     // burst.
@@ -72,21 +73,21 @@ void Viewer::stream() {
 
 void Viewer::finish() {
   const Clock::time_point deadline = Clock::now() + kFinishTimeout;
-  while (ledger_.has_open() && !is_stopped() && Clock::now() < deadline) {
+  while (in_flight_.has_open() && !is_stopped() && Clock::now() < deadline) {
     handle_next(kMaxWait);
   }
-  ledger_.lost_up_to(last_id_);
+  in_flight_.lost_up_to(last_id_);
 }
 
 void Viewer::send(const CapturedFrame& frame) {
   const std::uint64_t id = ++last_id_;
-  ledger_.captured(id, frame.captured_at);
-  std::vector<core::MarkerPose> poses =
+  in_flight_.captured(id, frame.captured_at);
+  std::vector<common::MarkerPose> poses =
       frame.true_poses ? *frame.true_poses : tracker_->track(frame.bgr);
   if (smoother_) poses = smoother_->smooth(std::move(poses), frame.captured_at);
   if (dead_band_) poses = dead_band_->hold(std::move(poses));
   std::string bytes = protocol::encode(frame_message(id, frame, poses));
-  if (const auto replaced = connection_.send(id, std::move(bytes))) ledger_.skipped(*replaced);
+  if (const auto replaced = connection_.send(id, std::move(bytes))) in_flight_.skipped(*replaced);
 }
 
 bool Viewer::handle_next(milliseconds timeout) {
@@ -116,8 +117,8 @@ void Viewer::handle(Welcomed& event) {
 
 void Viewer::handle(Composited& event) {
   const protocol::Composite& composite = event.composite;
-  if (!ledger_.is_open(composite.frame_id())) return;
-  ledger_.composited(composite.frame_id(), composite.unchanged(), event.at);
+  if (!in_flight_.is_open(composite.frame_id())) return;
+  in_flight_.composited(composite.frame_id(), composite.unchanged(), event.at);
   if (sink_ == nullptr) return;
   const auto* bytes = reinterpret_cast<const unsigned char*>(composite.jpeg().data());
   sink_->show(composite.frame_id(), {bytes, composite.jpeg().size()});
@@ -126,23 +127,23 @@ void Viewer::handle(Composited& event) {
 void Viewer::handle(FrameError& event) {
   ++summary_.server_errors;
   summary_.last_error = protocol::Error::Code_Name(event.error.code()) + ": " + event.error.text();
-  core::log_warn("frame " + std::to_string(event.error.frame_id()) + ": " + summary_.last_error);
+  common::log_warn("frame " + std::to_string(event.error.frame_id()) + ": " + summary_.last_error);
   // A frame with a bad pose is still rendered, with the last good one or without; an environment
   // is no frame.
   const auto code = event.error.code();
   if (code == protocol::Error::POSE_REJECTED || code == protocol::Error::BAD_ENVIRONMENT) return;
-  ledger_.rejected(event.error.frame_id());
+  in_flight_.rejected(event.error.frame_id());
 }
 
 void Viewer::handle(LinkBroken& event) {
-  core::log_warn("connection lost (" + event.text + "), reconnecting");
-  ledger_.lost_up_to(event.last_sent);
+  common::log_warn("connection lost (" + event.text + "), reconnecting");
+  in_flight_.lost_up_to(event.last_sent);
 }
 
 void Viewer::handle(GaveUp& event) {
   summary_.gave_up = true;
   summary_.last_error = event.text;
-  ledger_.lost_up_to(last_id_);
+  in_flight_.lost_up_to(last_id_);
 }
 
 }  // namespace amalgam::client

@@ -7,8 +7,8 @@
 
 #include "client/camera_source.h"
 #include "client/connection.h"
-#include "client/frame_ledger.h"
 #include "client/frame_sink.h"
+#include "client/frames_in_flight.h"
 #include "client/marker_board.h"
 #include "client/marker_tracker.h"
 #include "client/pose_dead_band.h"
@@ -41,7 +41,7 @@ struct ViewerSummary {
 class Viewer {
  public:
   // sink may be null. stop is set from outside (a signal) to end early.
-  Viewer(const ViewerOptions& options, const core::CameraModel& camera, CameraSource& source,
+  Viewer(const ViewerOptions& options, const common::CameraModel& camera, CameraSource& source,
          FrameSink* sink, Connection& connection, const std::atomic<bool>& stop);
 
   // Until all frames are captured and accounted for, the user stops it, or the connection gives up.
@@ -63,7 +63,7 @@ class Viewer {
   bool is_stopped() const { return stop_ || stopped_by_user_ || summary_.gave_up; }
 
   const ViewerOptions options_;
-  const core::CameraModel camera_;
+  const common::CameraModel camera_;
   CameraSource& source_;
   FrameSink* sink_;
   Connection& connection_;
@@ -72,7 +72,7 @@ class Viewer {
   std::string markers_;                   // what that was, as it came
   std::optional<PoseSmoother> smoother_;
   std::optional<PoseDeadBand> dead_band_;  // made with the tracker
-  FrameLedger ledger_;
+  FramesInFlight in_flight_;
   ViewerSummary summary_;
   std::uint64_t last_id_ = 0;
   bool stopped_by_user_ = false;

@@ -12,24 +12,49 @@ if(AMALGAM_ARCH)
 endif()
 if(AMALGAM_SANITIZE)
   # Instrumented code misleads GCC 12 about what is initialised in Boost.Beast.
-  list(APPEND AMALGAM_COMPILE_OPTIONS -fsanitize=address,undefined -fno-omit-frame-pointer -g
+  list(APPEND AMALGAM_COMPILE_OPTIONS -fsanitize=${AMALGAM_SANITIZE} -fno-omit-frame-pointer -g
        -Wno-maybe-uninitialized)
-  add_link_options(-fsanitize=address,undefined)
+  add_link_options(-fsanitize=${AMALGAM_SANITIZE})
 endif()
+
+# Gives a target the headers of its own folder and of no other: a root in the build folder, in which they lie under the
+# names that they are included by (trace/tile.h, common/pose.h, client/viewer.h). So whoever does not link a library
+# cannot include it.
+function(amalgam_own_headers name scope)
+  file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
+  string(REGEX REPLACE "^(server|protocol|tests)/" "" folder ${folder})
+  set(root ${PROJECT_BINARY_DIR}/headers/${name})
+  file(REMOVE_RECURSE ${root})
+  file(MAKE_DIRECTORY ${root}/${folder})
+  file(GLOB headers CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.h)
+  foreach(header ${headers})
+    get_filename_component(file ${header} NAME)
+    file(CREATE_LINK ${header} ${root}/${folder}/${file} SYMBOLIC)
+  endforeach()
+  target_include_directories(${name} ${scope} ${root})
+endfunction()
 
 # amalgam_library(NAME SOURCES a.cpp ... [PUBLIC libs ...] [PRIVATE libs ...])
 function(amalgam_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   add_library(${name} STATIC ${ARG_SOURCES})
-  target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR}/server ${PROJECT_SOURCE_DIR})
+  amalgam_own_headers(${name} PUBLIC)
   target_compile_options(${name} PRIVATE ${AMALGAM_COMPILE_OPTIONS})
   target_link_libraries(${name} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
+endfunction()
+
+# amalgam_header_library(NAME [libs ...]): a folder that holds only headers.
+function(amalgam_header_library name)
+  add_library(${name} INTERFACE)
+  amalgam_own_headers(${name} INTERFACE)
+  target_link_libraries(${name} INTERFACE ${ARGN})
 endfunction()
 
 # amalgam_program(NAME SOURCES a.cpp ... LIBS libs ...)
 function(amalgam_program name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LIBS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
+  amalgam_own_headers(${name} PRIVATE)
   target_compile_options(${name} PRIVATE ${AMALGAM_COMPILE_OPTIONS})
   target_link_libraries(${name} PRIVATE ${ARG_LIBS})
   if(AMALGAM_ARCH)
@@ -42,7 +67,7 @@ endfunction()
 function(amalgam_test name)
   cmake_parse_arguments(ARG "" "" "LABELS;SOURCES;LIBS" ${ARGN})
   amalgam_program(${name} SOURCES ${ARG_SOURCES} LIBS ${ARG_LIBS} GTest::gmock GTest::gtest GTest::gtest_main)
-  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests ${PROJECT_SOURCE_DIR}/server)
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(${name} PRIVATE
     AMALGAM_SOURCE_DIR="${PROJECT_SOURCE_DIR}" AMALGAM_BINARY_DIR="${CMAKE_BINARY_DIR}")
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}

@@ -28,7 +28,7 @@ void read_intrinsics(const Message& message, Model& model) {
 
 }  // namespace
 
-Camera to_message(const core::CameraModel& camera) {
+Camera to_message(const common::CameraModel& camera) {
   Camera message;
   write_intrinsics(camera, message);
   if (camera.has_distortion()) {
@@ -37,14 +37,14 @@ Camera to_message(const core::CameraModel& camera) {
   return message;
 }
 
-core::CameraModel from_message(const Camera& message) {
-  core::CameraModel camera;
+common::CameraModel from_message(const Camera& message) {
+  common::CameraModel camera;
   read_intrinsics(message, camera);
   std::copy(message.distortion().begin(), message.distortion().end(), camera.distortion.begin());
   return camera;
 }
 
-Pose to_message(const core::MarkerPose& pose) {
+Pose to_message(const common::MarkerPose& pose) {
   Pose message;
   message.set_marker(pose.marker);
   *message.mutable_rotation() = to_message(pose.rotation);
@@ -55,7 +55,7 @@ Pose to_message(const core::MarkerPose& pose) {
   return message;
 }
 
-core::MarkerPose from_message(const Pose& message) {
+common::MarkerPose from_message(const Pose& message) {
   const Vector3& translation = message.translation();
   return {message.marker(), from_message(message.rotation()),
           glm::dvec3(translation.x(), translation.y(), translation.z())};
@@ -74,15 +74,15 @@ glm::dquat from_message(const Quaternion& message) {
   return {message.w(), message.x(), message.y(), message.z()};
 }
 
-Fisheye to_message(const core::FisheyeModel& lens) {
+Fisheye to_message(const common::FisheyeModel& lens) {
   Fisheye message;
   write_intrinsics(lens, message);
   message.set_max_angle(lens.max_angle);
   return message;
 }
 
-core::FisheyeModel from_message(const Fisheye& message) {
-  core::FisheyeModel lens;
+common::FisheyeModel from_message(const Fisheye& message) {
+  common::FisheyeModel lens;
   read_intrinsics(message, lens);
   lens.max_angle = message.max_angle();
   return lens;

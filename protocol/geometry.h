@@ -1,27 +1,27 @@
 // Cameras and poses as they go over the wire: both directions, for clients and for the server.
 //
 // Reading checks nothing: sizes must have been judged before (they are cast to int), and values
-// are judged after, by core::describe_defect and core::is_usable.
+// are judged after, by common::describe_defect and common::is_usable.
 #pragma once
 
-#include "core/camera_model.h"
-#include "core/fisheye_model.h"
-#include "core/pose.h"
+#include "common/camera_model.h"
+#include "common/fisheye_model.h"
+#include "common/pose.h"
 #include "protocol/amalgam.pb.h"
 
 namespace amalgam::protocol {
 
-Camera to_message(const core::CameraModel& camera);
-core::CameraModel from_message(const Camera& message);  // at most kMaxDistortion coefficients
+Camera to_message(const common::CameraModel& camera);
+common::CameraModel from_message(const Camera& message);  // at most kMaxDistortion coefficients
 
-Pose to_message(const core::MarkerPose& pose);
-core::MarkerPose from_message(const Pose& message);
+Pose to_message(const common::MarkerPose& pose);
+common::MarkerPose from_message(const Pose& message);
 
 Quaternion to_message(const glm::dquat& rotation);
 glm::dquat from_message(const Quaternion& message);
 
 // The lens alone; world_from_fisheye is a quaternion of its own.
-Fisheye to_message(const core::FisheyeModel& lens);
-core::FisheyeModel from_message(const Fisheye& message);
+Fisheye to_message(const common::FisheyeModel& lens);
+common::FisheyeModel from_message(const Fisheye& message);
 
 }  // namespace amalgam::protocol

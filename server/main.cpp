@@ -7,11 +7,11 @@
 #include <optional>
 #include <thread>
 
-#include "core/log.h"
+#include "common/log.h"
 #include "frame/render_thread.h"
 #include "frame/rendering_threads.h"
 #include "net/server.h"
-#include "server_options.h"
+#include "server/server_options.h"
 
 namespace amalgam {
 namespace {
@@ -47,14 +47,14 @@ void serve(const ServerOptions& options) {
   net::Server server(options.net);
   server.drain_on_signals();
   NetworkThread network(server);  // answers on the admin port while the scene is loaded
-  core::log_info("loading " + options.scene);
+  common::log_info("loading " + options.scene);
   service = frame::make_render_service(options.scene, options.render);
   server.serve(*service);
   // For people and for scripts that asked for port 0.
   std::cout << "listening on " << to_string(server.address()) << " admin "
             << to_string(server.admin_address()) << std::endl;
   network.join();
-  core::log_info("ended");
+  common::log_info("ended");
 }
 
 }  // namespace
@@ -66,7 +66,7 @@ int main(int argc, char** argv) {
   try {
     const std::optional<amalgam::ServerOptions> options = amalgam::parse_server_options(argc, argv);
     if (!options) return EXIT_SUCCESS;
-    amalgam::core::set_log_level(options->log_level);
+    amalgam::common::set_log_level(options->log_level);
     amalgam::serve(*options);
     return EXIT_SUCCESS;
   } catch (const std::exception& error) {

@@ -1,14 +1,15 @@
-#include "server_options.h"
+#include "server/server_options.h"
 
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <iostream>
 #include <stdexcept>
 
-#include "core/build_info.h"
+#include "common/build_info.h"
+#include "common/token_file.h"
 #include "frame/rendering_threads.h"
 #include "net/token.h"
-#include "tools/renderer_options.h"
+#include "server/renderer_options.h"
 
 namespace amalgam {
 namespace {
@@ -62,7 +63,7 @@ std::optional<ServerOptions> parse_server_options(int argc, const char* const* a
 
   CLI::App app("Renders virtual objects into the camera frames of its clients.", "amalgam-server");
   app.set_version_flag("--version", [] {
-    return core::version_line("amalgam-server") + "; " + frame::ray_tracer_version();
+    return common::version_line("amalgam-server") + "; " + frame::ray_tracer_version();
   });
   app.set_config("--config", "", "file with these options, as 'threads = 4' (TOML or INI)");
   app.add_option("--scene", options.scene, "glTF scene to serve")
@@ -101,10 +102,11 @@ std::optional<ServerOptions> parse_server_options(int argc, const char* const* a
   } catch (const CLI::ParseError& error) {
     throw std::runtime_error(error.what());
   }
-  options.net.listen = net::parse_host_port(listen);
-  options.net.admin = net::parse_host_port(admin);
+  options.net.listen = common::parse_host_port(listen);
+  options.net.admin = common::parse_host_port(admin);
   options.net.ray_tracer = frame::ray_tracer_version();
-  if (!token_file.empty()) options.net.token = net::read_token_file(token_file);
+  if (!token_file.empty())
+    options.net.token = common::read_token_file(token_file, protocol::kMaxTokenBytes);
   return options;
 }
 

@@ -1,4 +1,4 @@
-// Direct light on a diffuse surface (eq. 4.6). The same formulas as scene/light.cpp,
+// Direct light on a diffuse surface (eq. 4.6). The same formulas as scene/light/light.cpp,
 // scene/material.cpp and trace/shade.cpp, in the same order; a test holds them together.
 
 const float kPi = 3.14159265358979;

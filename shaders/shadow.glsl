@@ -4,7 +4,7 @@
 // linearly weighted.
 //
 // Glass casters let light straight on, without bending it. The light's path through a map's texel
-// meets interfaces i; each leaves (1 - F_i) times the base colour c_i, and inside a solid the light
+// meets interfaces i; each leaves (1 - F_i) times the base color c_i, and inside a solid the light
 // fades by Beer-Lambert:
 //
 //   optical depth = sum_i -ln((1 - F_i) c_i)  +  sum_i s_i sigma_i t_i,    T = exp(-max(depth, 0))

@@ -1,4 +1,4 @@
-// The material as it is at one point: its factors times its textures and the vertices' colour.
+// The material as it is at one point: its factors times its textures and the vertices' color.
 // trace/texels.h says the same for the tracer.
 //
 // HAS_*: the scene has such a thing, and this program is for surfaces that may have it (a bit of

@@ -2,7 +2,7 @@
 //
 // Texels are fetched as bytes, decoded by the table that the CPU uses and mixed here, because the
 // drivers' samplers mix with 8-bit weights (llvmpipe, most GPUs) or decode by an approximation, and
-// the tracer would then see other colours than the rasteriser. The level of detail is the tracer's
+// the tracer would then see other colors than the rasteriser. The level of detail is the tracer's
 // too, from ray cones; a driver's derivatives are another one.
 
 float decode_texel(uint byte, bool is_color) {

@@ -16,14 +16,14 @@
 namespace amalgam::codec {
 namespace {
 
-using Channels = std::vector<std::pair<std::string, core::Image32f>>;
+using Channels = std::vector<std::pair<std::string, common::Image32f>>;
 
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& why) {
   throw ExrError(path.string() + ": " + why);
 }
 
 // OpenEXR addresses pixels from the data window's origin, which need not be (0, 0).
-Imf::Slice slice_of(core::Image32f& image, const Imath::Box2i& window) {
+Imf::Slice slice_of(common::Image32f& image, const Imath::Box2i& window) {
   return Imf::Slice::Make(Imf::FLOAT, image.data(), window, sizeof(float),
                           sizeof(float) * static_cast<std::size_t>(image.width()));
 }
@@ -40,13 +40,13 @@ std::pair<int, int> checked_size(const std::filesystem::path& path, const Imath:
   return {static_cast<int>(width), static_cast<int>(height)};
 }
 
-std::map<std::string, core::Image32f> read_unguarded(const std::filesystem::path& path) {
+std::map<std::string, common::Image32f> read_unguarded(const std::filesystem::path& path) {
   Imf::InputFile file(path.c_str());
   const Imath::Box2i window = file.header().dataWindow();
   const auto [width, height] = checked_size(path, window);
 
   constexpr std::size_t kMaxChannels = 64;
-  std::map<std::string, core::Image32f> channels;
+  std::map<std::string, common::Image32f> channels;
   Imf::FrameBuffer frame_buffer;
   const Imf::ChannelList& list = file.header().channels();
   for (auto it = list.begin(); it != list.end(); ++it) {
@@ -58,8 +58,8 @@ std::map<std::string, core::Image32f> read_unguarded(const std::filesystem::path
         4 * kMaxExrPixels) {
       fail(path, "its channels together are larger than 256 Mpixel");
     }
-    core::Image32f& image =
-        channels.emplace(it.name(), core::Image32f(width, height)).first->second;
+    common::Image32f& image =
+        channels.emplace(it.name(), common::Image32f(width, height)).first->second;
     frame_buffer.insert(it.name(), slice_of(image, window));
   }
   if (channels.empty()) fail(path, "no channels");
@@ -70,7 +70,7 @@ std::map<std::string, core::Image32f> read_unguarded(const std::filesystem::path
 
 }  // namespace
 
-std::map<std::string, core::Image32f> read_exr_channels(const std::filesystem::path& path) {
+std::map<std::string, common::Image32f> read_exr_channels(const std::filesystem::path& path) {
   std::error_code error;
   const std::uintmax_t bytes = std::filesystem::file_size(path, error);
   if (error) fail(path, error.message());
@@ -88,10 +88,10 @@ std::map<std::string, core::Image32f> read_exr_channels(const std::filesystem::p
   }
 }
 
-core::ImageRgb32f read_exr(const std::filesystem::path& path) {
+common::ImageRgb32f read_exr(const std::filesystem::path& path) {
   const auto channels = read_exr_channels(path);
-  const core::Image32f& any = channels.begin()->second;
-  core::ImageRgb32f image(any.width(), any.height());
+  const common::Image32f& any = channels.begin()->second;
+  common::ImageRgb32f image(any.width(), any.height());
   bool found = false;
   const auto copy = [&](const std::string& name, int component) {
     const auto channel = channels.find(name);
@@ -122,7 +122,7 @@ void write_exr(const std::filesystem::path& path, const Channels& channels) {
       if (image.size() != size) fail(path, "channel " + name + " has another size than the first");
       header.channels().insert(name, Imf::Channel(Imf::FLOAT));
       // OpenEXR's slices are not const, but writing only reads them.
-      auto& writable = const_cast<core::Image32f&>(image);
+      auto& writable = const_cast<common::Image32f&>(image);
       frame_buffer.insert(name, slice_of(writable, header.dataWindow()));
     }
     Imf::OutputFile file(path.c_str(), header);
@@ -138,11 +138,11 @@ void write_exr(const std::filesystem::path& path, const Channels& channels) {
 namespace {
 
 template <typename Pixel>
-void write_components(const std::filesystem::path& path, const core::Image<Pixel>& image,
+void write_components(const std::filesystem::path& path, const common::Image<Pixel>& image,
                       const char* names) {
   Channels channels;
   for (int component = 0; component < Pixel::length(); ++component) {
-    core::Image32f plane(image.width(), image.height());
+    common::Image32f plane(image.width(), image.height());
     const auto from = image.pixels();
     const auto to = plane.pixels();
     for (std::size_t i = 0; i < to.size(); ++i) to[i] = from[i][component];
@@ -153,15 +153,15 @@ void write_components(const std::filesystem::path& path, const core::Image<Pixel
 
 }  // namespace
 
-void write_exr(const std::filesystem::path& path, const core::ImageRgb32f& image) {
+void write_exr(const std::filesystem::path& path, const common::ImageRgb32f& image) {
   write_components(path, image, "RGB");
 }
 
-void write_exr(const std::filesystem::path& path, const core::ImageRgba32f& image) {
+void write_exr(const std::filesystem::path& path, const common::ImageRgba32f& image) {
   write_components(path, image, "RGBA");
 }
 
-void write_exr(const std::filesystem::path& path, const core::Image32f& image) {
+void write_exr(const std::filesystem::path& path, const common::Image32f& image) {
   write_exr(path, Channels{{"Y", image}});
 }
 

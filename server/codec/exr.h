@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/image.h"
+#include "common/image.h"
 
 namespace amalgam::codec {
 
@@ -27,16 +27,16 @@ constexpr std::uintmax_t kMaxExrBytes = std::uintmax_t{512} << 20;
 // mip-mapped file), the first part of several. The image covers the data window, its top left pixel
 // at (0, 0). Values are as in the file: NaN, infinity and negative ones included. Throws ExrError
 // for what is missing, damaged, deep, sub-sampled or larger than the limits.
-std::map<std::string, core::Image32f> read_exr_channels(const std::filesystem::path& path);
+std::map<std::string, common::Image32f> read_exr_channels(const std::filesystem::path& path);
 
 // R, G and B of a file; a file with only Y gives that in all three, a missing one of R, G, B is 0.
-core::ImageRgb32f read_exr(const std::filesystem::path& path);
+common::ImageRgb32f read_exr(const std::filesystem::path& path);
 
 // As 32-bit floats, ZIP-compressed. All channels must have one size. Throws ExrError.
 void write_exr(const std::filesystem::path& path,
-               const std::vector<std::pair<std::string, core::Image32f>>& channels);
-void write_exr(const std::filesystem::path& path, const core::ImageRgb32f& image);   // R G B
-void write_exr(const std::filesystem::path& path, const core::ImageRgba32f& image);  // R G B A
-void write_exr(const std::filesystem::path& path, const core::Image32f& image);      // Y
+               const std::vector<std::pair<std::string, common::Image32f>>& channels);
+void write_exr(const std::filesystem::path& path, const common::ImageRgb32f& image);   // R G B
+void write_exr(const std::filesystem::path& path, const common::ImageRgba32f& image);  // R G B A
+void write_exr(const std::filesystem::path& path, const common::Image32f& image);      // Y
 
 }  // namespace amalgam::codec

@@ -8,7 +8,7 @@
 namespace amalgam::codec {
 namespace {
 
-static_assert(sizeof(core::Rgb8) == 3, "turbojpeg reads and writes packed RGB");
+static_assert(sizeof(common::Rgb8) == 3, "turbojpeg reads and writes packed RGB");
 
 struct HandleCloser {
   void operator()(void* handle) const { tjDestroy(handle); }
@@ -21,13 +21,13 @@ using Handle = std::unique_ptr<void, HandleCloser>;
 
 }  // namespace
 
-core::ImageRgb8 decode_jpeg(std::span<const std::byte> jpeg) {
+common::ImageRgb8 decode_jpeg(std::span<const std::byte> jpeg) {
   const JpegHeader header = read_jpeg_header(jpeg);
   // A new decoder and a zero-filled image each time: nothing of an earlier picture can be left in
   // them.
   const Handle decoder(tjInitDecompress());
   if (!decoder) throw JpegError("cannot make a JPEG decoder");
-  core::ImageRgb8 image(header.width, header.height);
+  common::ImageRgb8 image(header.width, header.height);
   const int status = tjDecompress2(
       decoder.get(), reinterpret_cast<const unsigned char*>(jpeg.data()),
       static_cast<unsigned long>(jpeg.size()), reinterpret_cast<unsigned char*>(image.data()),

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "core/image.h"
+#include "common/image.h"
 
 namespace amalgam::codec {
 
@@ -42,12 +42,12 @@ JpegHeader read_jpeg_header(std::span<const std::byte> jpeg);
 // Decodes to sRGB-encoded bytes; grey becomes equal channels. Throws JpegError as
 // read_jpeg_header() does, and at the library's first warning (cut or damaged data): a broken
 // picture is never shown, and no pixel that an earlier picture left in memory can be.
-core::ImageRgb8 decode_jpeg(std::span<const std::byte> jpeg);
+common::ImageRgb8 decode_jpeg(std::span<const std::byte> jpeg);
 
 // Quality 1 .. 100. Chroma is halved in both directions (4:2:0) below quality 95 and kept (4:4:4)
 // from there on. Bands of the image are encoded on all cores of the caller's TBB arena; the bytes
 // do not depend on their number. Throws JpegError if the image is empty or larger than 65500 a
 // side, or quality is out of range.
-std::vector<std::byte> encode_jpeg(const core::ImageRgb8& image, int quality);
+std::vector<std::byte> encode_jpeg(const common::ImageRgb8& image, int quality);
 
 }  // namespace amalgam::codec

@@ -22,7 +22,7 @@ struct Settings {
 };
 
 // Some rows of the picture as a file of their own.
-std::vector<std::byte> encode_band(const core::ImageRgb8& image, int first_row, int rows,
+std::vector<std::byte> encode_band(const common::ImageRgb8& image, int first_row, int rows,
                                    const Settings& settings) {
   MemoryCompressor band(static_cast<std::size_t>(image.width() * rows / 2));
   band.errors().guard("cannot encode JPEG", [&] {
@@ -38,7 +38,7 @@ std::vector<std::byte> encode_band(const core::ImageRgb8& image, int first_row, 
     jpeg_start_compress(&info, TRUE);
     for (int y = first_row; y < first_row + rows; ++y) {
       // libjpeg's rows are not const, but it only reads them.
-      auto row = reinterpret_cast<JSAMPROW>(const_cast<core::Rgb8*>(&image.at(0, y)));
+      auto row = reinterpret_cast<JSAMPROW>(const_cast<common::Rgb8*>(&image.at(0, y)));
       jpeg_write_scanlines(&info, &row, 1);
     }
     jpeg_finish_compress(&info);
@@ -48,7 +48,7 @@ std::vector<std::byte> encode_band(const core::ImageRgb8& image, int first_row, 
 
 }  // namespace
 
-std::vector<std::byte> encode_jpeg(const core::ImageRgb8& image, int quality) {
+std::vector<std::byte> encode_jpeg(const common::ImageRgb8& image, int quality) {
   constexpr int kFullChromaQuality = 95;  // who asks for this much can see halved chroma
   constexpr int kBandRows = 64;           // pixels; some 0.2 ms of work at 1280 pixels a row
   if (image.empty()) throw JpegError("an empty image cannot be encoded");

@@ -12,13 +12,13 @@ constexpr int kLeastSegmentWidth = 96;
 
 // Copies an MCU's pixels; beyond the picture's right and bottom border its last ones go on, as in
 // any encoder.
-void copy_mcu(const core::ImageRgb8& from, const McuGrid& grid, int index, core::ImageRgb8& to,
+void copy_mcu(const common::ImageRgb8& from, const McuGrid& grid, int index, common::ImageRgb8& to,
               int to_x) {
   const glm::ivec2 begin = grid.begin(index);
   const int inside = grid.end(index).x - begin.x;
   for (int row = 0; row < grid.size.y; ++row) {
     const int y = std::min(begin.y + row, from.height() - 1);
-    core::Rgb8* out = &to.at(to_x, row);
+    common::Rgb8* out = &to.at(to_x, row);
     std::copy_n(&from.at(begin.x, y), inside, out);
     std::fill(out + inside, out + grid.size.x, out[inside - 1]);
   }
@@ -45,10 +45,10 @@ McuGrid::McuGrid(const jpeg_decompress_struct& info)
 }
 
 std::vector<std::byte> encode_segments(jpeg_decompress_struct& camera, const McuGrid& grid,
-                                       const core::ImageRgb8& picture,
+                                       const common::ImageRgb8& picture,
                                        std::span<const int> segments) {
   constexpr int kMaxMcuHeight = 4 * DCTSIZE;
-  core::ImageRgb8 pixels(grid.segment * grid.size.x, grid.size.y);  // of one segment
+  common::ImageRgb8 pixels(grid.segment * grid.size.x, grid.size.y);  // of one segment
   std::array<JSAMPROW, kMaxMcuHeight> rows{};
   for (int y = 0; y < grid.size.y; ++y) {
     rows[static_cast<std::size_t>(y)] = reinterpret_cast<JSAMPROW>(&pixels.at(0, y));

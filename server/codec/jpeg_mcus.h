@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "codec/libjpeg.h"
-#include "core/image.h"
+#include "common/image.h"
 
 namespace amalgam::codec {
 
@@ -36,11 +36,11 @@ struct McuGrid {
 // Encodes some segments of the picture below each other: a file that is one segment wide, with a
 // restart marker after each, and with the quantisation tables and the sampling of the camera's.
 std::vector<std::byte> encode_segments(jpeg_decompress_struct& camera, const McuGrid& grid,
-                                       const core::ImageRgb8& picture,
+                                       const common::ImageRgb8& picture,
                                        std::span<const int> segments);
 
 // Huffman-codes all there is in the reader, with the standard tables and a restart marker after
-// each interval MCUs. Colour profiles go with it.
+// each interval MCUs. Color profiles go with it.
 std::vector<std::byte> write_coefficients(CoefficientReader& from, int interval);
 
 }  // namespace amalgam::codec

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "codec/jpeg_camera.h"
-#include "core/log.h"
+#include "common/log.h"
 
 // The camera's file was cut into segments of a few MCUs when it was read. Segments without a
 // touched MCU are taken as they are; those with touched ones only are encoded from the composite;
@@ -62,13 +62,14 @@ std::vector<Job> make_jobs(const McuGrid& grid, const std::vector<bool>& touched
   return jobs;
 }
 
-bool is_grey(const core::ImageRgb8& image, const McuGrid& grid, const std::vector<bool>& touched) {
+bool is_grey(const common::ImageRgb8& image, const McuGrid& grid,
+             const std::vector<bool>& touched) {
   for (int i = 0; i < grid.count(); ++i) {
     if (!touched[static_cast<std::size_t>(i)]) continue;
     const glm::ivec2 begin = grid.begin(i), end = grid.end(i);
     for (int y = begin.y; y < end.y; ++y) {
       for (int x = begin.x; x < end.x; ++x) {
-        const core::Rgb8& pixel = image.at(x, y);
+        const common::Rgb8& pixel = image.at(x, y);
         if (pixel.x != pixel.y || pixel.x != pixel.z) return false;
       }
     }
@@ -103,7 +104,7 @@ void put_back(CoefficientReader& camera, const McuGrid& grid, const std::vector<
   });
 }
 
-std::vector<std::byte> encode(CameraJpeg& camera, const core::ImageRgb8& composite,
+std::vector<std::byte> encode(CameraJpeg& camera, const common::ImageRgb8& composite,
                               const std::vector<bool>& touched, const Job& job) {
   const McuGrid& grid = camera.grid;
   std::vector<std::byte> strip =
@@ -117,7 +118,7 @@ std::vector<std::byte> encode(CameraJpeg& camera, const core::ImageRgb8& composi
 }  // namespace
 
 std::optional<std::vector<std::byte>> patch_jpeg(JpegCoefficients coefficients,
-                                                 const core::ImageRgb8& composite,
+                                                 const common::ImageRgb8& composite,
                                                  std::span<const std::uint8_t> tiles) {
   CameraJpeg& camera = *coefficients.camera_;
   const McuGrid& grid = camera.grid;

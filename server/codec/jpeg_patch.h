@@ -28,7 +28,7 @@
 #include <vector>
 
 #include "codec/jpeg.h"
-#include "core/image.h"
+#include "common/image.h"
 
 namespace amalgam::codec {
 
@@ -55,7 +55,7 @@ class JpegCoefficients {
 
  private:
   friend std::optional<std::vector<std::byte>> patch_jpeg(JpegCoefficients camera,
-                                                          const core::ImageRgb8& composite,
+                                                          const common::ImageRgb8& composite,
                                                           std::span<const std::uint8_t> tiles);
 
   explicit JpegCoefficients(std::unique_ptr<CameraJpeg> camera);
@@ -71,7 +71,7 @@ constexpr int kPatchTile = 16;  // pixels a side
 // others are the camera's. Takes time in proportion to what changed, on all cores of the caller's
 // TBB arena; the bytes do not depend on their number.
 //
-// Empty if a touched MCU of the composite is coloured and the camera's picture is grey.
+// Empty if a touched MCU of the composite is colored and the camera's picture is grey.
 //
 // The result is baseline, of one scan, with a restart marker after each 96 pixels or a little more
 // (about 1 % of the bytes): what changed can so be replaced without coding the rest again. An ICC
@@ -80,7 +80,7 @@ constexpr int kPatchTile = 16;  // pixels a side
 // ones: the file's own may lack codes that new coefficients need, and the best ones are known only
 // after a second pass over everything.
 std::optional<std::vector<std::byte>> patch_jpeg(JpegCoefficients camera,
-                                                 const core::ImageRgb8& composite,
+                                                 const common::ImageRgb8& composite,
                                                  std::span<const std::uint8_t> tiles);
 
 }  // namespace amalgam::codec

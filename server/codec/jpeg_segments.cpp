@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "core/log.h"
+#include "common/log.h"
 
 namespace amalgam::codec {
 namespace {

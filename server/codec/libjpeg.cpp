@@ -7,7 +7,7 @@
 namespace amalgam::codec {
 namespace {
 
-constexpr int kColourProfile = JPEG_APP0 + 2;  // ICC profiles lie in APP2
+constexpr int kColorProfile = JPEG_APP0 + 2;  // ICC profiles lie in APP2
 constexpr unsigned kWholeSegment = 0xFFFF;
 
 // Doubles what there is. Exceptions must not pass through libjpeg.
@@ -55,7 +55,7 @@ CoefficientReader::CoefficientReader(std::span<const std::byte> jpeg) {
       jpeg_create_decompress(&info_);
       jpeg_mem_src(&info_, reinterpret_cast<const unsigned char*>(jpeg.data()),
                    static_cast<unsigned long>(jpeg.size()));
-      jpeg_save_markers(&info_, kColourProfile, kWholeSegment);
+      jpeg_save_markers(&info_, kColorProfile, kWholeSegment);
       jpeg_read_header(&info_, TRUE);
       arrays_ = jpeg_read_coefficients(&info_);
     });

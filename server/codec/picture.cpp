@@ -86,20 +86,20 @@ void check_picture(std::span<const std::byte> encoded) {
     throw PictureError("PNG ends before its IEND chunk");
 }
 
-core::ImageRgba8 decode_picture(std::span<const std::byte> encoded) {
+common::ImageRgba8 decode_picture(std::span<const std::byte> encoded) {
   check_picture(encoded);
   const Input input = input_of(encoded);
   int width = 0, height = 0, channels = 0;
   const std::unique_ptr<stbi_uc, PixelCloser> pixels(
       stbi_load_from_memory(input.data, input.size, &width, &height, &channels, 4));
   if (!pixels) throw PictureError("damaged picture: " + reason());
-  core::ImageRgba8 image(width, height);
-  static_assert(sizeof(core::Rgba8) == 4);
+  common::ImageRgba8 image(width, height);
+  static_assert(sizeof(common::Rgba8) == 4);
   std::memcpy(static_cast<void*>(image.data()), pixels.get(), image.pixels().size_bytes());
   return image;
 }
 
-core::ImageRgb32f decode_radiance_hdr(std::span<const std::byte> encoded) {
+common::ImageRgb32f decode_radiance_hdr(std::span<const std::byte> encoded) {
   const Input input = input_of(encoded);
   if (!stbi_is_hdr_from_memory(input.data, input.size)) {
     throw PictureError("not a Radiance picture");
@@ -109,7 +109,7 @@ core::ImageRgb32f decode_radiance_hdr(std::span<const std::byte> encoded) {
   const std::unique_ptr<float, PixelCloser> pixels(
       stbi_loadf_from_memory(input.data, input.size, &width, &height, &channels, 3));
   if (!pixels) throw PictureError("damaged picture: " + reason());
-  core::ImageRgb32f image(width, height);
+  common::ImageRgb32f image(width, height);
   static_assert(sizeof(glm::vec3) == 12);
   std::memcpy(static_cast<void*>(image.data()), pixels.get(), image.pixels().size_bytes());
   return image;

@@ -6,7 +6,7 @@
 #include <span>
 #include <stdexcept>
 
-#include "core/image.h"
+#include "common/image.h"
 
 namespace amalgam::codec {
 
@@ -27,9 +27,9 @@ void check_picture(std::span<const std::byte> encoded);
 
 // PNG or JPEG (progressive too) to sRGB-encoded bytes with linear alpha, 255 where the file has
 // none. 16-bit channels are reduced to 8. The size is checked before anything is decoded.
-core::ImageRgba8 decode_picture(std::span<const std::byte> encoded);
+common::ImageRgba8 decode_picture(std::span<const std::byte> encoded);
 
 // Radiance RGBE to scene-linear values.
-core::ImageRgb32f decode_radiance_hdr(std::span<const std::byte> encoded);
+common::ImageRgb32f decode_radiance_hdr(std::span<const std::byte> encoded);
 
 }  // namespace amalgam::codec

@@ -75,16 +75,16 @@ void Layers::set(int x, int y, const glm::vec4& over, const glm::vec3& differenc
   tile.difference[LayerTile::index(x, y)] = difference;
 }
 
-ImageRgba32f Layers::over_image() const {
-  ImageRgba32f image(size().x, size().y);
+common::ImageRgba32f Layers::over_image() const {
+  common::ImageRgba32f image(size().x, size().y);
   for (int y = 0; y < size().y; ++y) {
     for (int x = 0; x < size().x; ++x) image.at(x, y) = over(x, y);
   }
   return image;
 }
 
-ImageRgb32f Layers::difference_image() const {
-  ImageRgb32f image(size().x, size().y);
+common::ImageRgb32f Layers::difference_image() const {
+  common::ImageRgb32f image(size().x, size().y);
   for (int y = 0; y < size().y; ++y) {
     for (int x = 0; x < size().x; ++x) image.at(x, y) = difference(x, y);
   }

@@ -17,7 +17,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/image.h"
+#include "common/image.h"
 #include "core/tile_grid.h"
 
 namespace amalgam::core {
@@ -68,8 +68,8 @@ class Layers {
   void set(int x, int y, const glm::vec4& over, const glm::vec3& difference);
 
   // As whole pictures, for dumps and tests.
-  ImageRgba32f over_image() const;
-  ImageRgb32f difference_image() const;
+  common::ImageRgba32f over_image() const;
+  common::ImageRgb32f difference_image() const;
 
  private:
   TileGrid grid_;

@@ -6,14 +6,14 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "core/image.h"
+#include "common/image.h"
 
 namespace amalgam::core {
 
 enum class LightSource : std::uint8_t {
   Raster,         // drawn by the rasteriser
   TracedVirtual,  // a virtual diffuse surface at the end of a ray
-  CameraLookup,   // the camera's own colour of a real surface at the end of a ray, or under the
+  CameraLookup,   // the camera's own color of a real surface at the end of a ray, or under the
                   // pixel
   ModelledReal,   // a real surface as it is modelled: the camera does not see it
   Environment,    // a ray that left the scene
@@ -25,9 +25,9 @@ inline constexpr std::array<const char*, kLightSources> kLightSourceNames{
     "raster", "traced_virtual", "camera_lookup", "modelled_real", "environment", "cut_off"};
 
 // Shares by LightSource. A ray's share is the mean of its weight's channels, so that shares of a
-// sample sum to at most 1; what is missing was absorbed by coloured mirrors and glass.
+// sample sum to at most 1; what is missing was absorbed by colored mirrors and glass.
 using Provenance = std::array<float, kLightSources>;
-using ProvenanceImage = Image<Provenance>;  // means over the samples of each pixel
+using ProvenanceImage = common::Image<Provenance>;  // means over the samples of each pixel
 
 inline void add_share(Provenance& provenance, LightSource source, float share) {
   provenance[static_cast<std::size_t>(source)] += share;

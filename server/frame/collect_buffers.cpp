@@ -3,17 +3,17 @@
 #include <algorithm>
 
 #include "frame/frame_provenance.h"
-#include "passes/read_back.h"
+#include "passes/raster/read_back.h"
 
 namespace amalgam::frame {
 namespace {
 
 // The first sample of each pixel.
 template <typename Pixel>
-core::Image<Pixel> first_samples(const core::Image<Pixel>& samples,
-                                 const passes::RenderView& view) {
+common::Image<Pixel> first_samples(const common::Image<Pixel>& samples,
+                                   const passes::RenderView& view) {
   const int n = view.samples_per_side;
-  core::Image<Pixel> first(view.ideal.width, view.ideal.height);
+  common::Image<Pixel> first(view.ideal.width, view.ideal.height);
   for (int y = 0; y < first.height(); ++y) {
     for (int x = 0; x < first.width(); ++x) first.at(x, y) = samples.at(x * n, y * n);
   }
@@ -27,7 +27,8 @@ struct ThesisBuffers {
         environment_reflection(view.ideal.width, view.ideal.height),
         virtual_mask(view.ideal.width, view.ideal.height) {}
 
-  void add(const core::ImageRgba32f& rasterised_mixed, const core::ImageRgba32f& rasterised_real) {
+  void add(const common::ImageRgba32f& rasterised_mixed,
+           const common::ImageRgba32f& rasterised_real) {
     for (int y = 0; y < mixed.height(); ++y) {
       for (int x = 0; x < mixed.width(); ++x) {
         mixed.at(x, y) += glm::vec3(rasterised_mixed.at(x, y));
@@ -48,12 +49,12 @@ struct ThesisBuffers {
     }
   }
 
-  core::ImageRgb32f mixed, real, environment_reflection;
-  core::Image32f virtual_mask;
+  common::ImageRgb32f mixed, real, environment_reflection;
+  common::Image32f virtual_mask;
 };
 
-core::Image32f tracing_mask(const core::Image<std::uint8_t>& flags) {
-  core::Image32f mask(flags.width(), flags.height());
+common::Image32f tracing_mask(const common::Image<std::uint8_t>& flags) {
+  common::Image32f mask(flags.width(), flags.height());
   std::transform(flags.pixels().begin(), flags.pixels().end(), mask.data(), [](std::uint8_t flag) {
     return (flag & passes::SampleMask::kSpecular) != 0 ? 1.0f : 0.0f;
   });
@@ -63,7 +64,7 @@ core::Image32f tracing_mask(const core::Image<std::uint8_t>& flags) {
 Channels provenance_channels(const core::ProvenanceImage& provenance) {
   Channels channels;
   for (std::size_t k = 0; k < core::kLightSources; ++k) {
-    core::Image32f channel(provenance.width(), provenance.height());
+    common::Image32f channel(provenance.width(), provenance.height());
     std::transform(provenance.pixels().begin(), provenance.pixels().end(), channel.data(),
                    [k](const core::Provenance& shares) { return shares[k]; });
     channels.emplace_back(core::kLightSourceNames[k], std::move(channel));

@@ -1,7 +1,7 @@
 // Gathers a finished frame's buffers for a dump: what was made anyway, nothing more is run for it.
 #pragma once
 
-#include "frame/frame_buffers.h"
+#include "frame/buffer_dump.h"
 #include "frame/frame_passes.h"
 
 namespace amalgam::frame {

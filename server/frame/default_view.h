@@ -2,11 +2,11 @@
 // warming up.
 #pragma once
 
-#include "core/pose.h"
+#include "common/pose.h"
 
 namespace amalgam::frame {
 
 // A camera half a metre from the world marker that looks down at what stands on it.
-core::MarkerPose default_pose(int world_marker);
+common::MarkerPose default_pose(int world_marker);
 
 }  // namespace amalgam::frame

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "codec/jpeg.h"
-#include "scene/tone_map.h"
+#include "scene/light/tone_map.h"
 
 namespace amalgam::frame {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 constexpr int kUnrolledWidth = 512,
               kUnrolledHeight = 256;  // finer than a mirror's blur of it shows
 
-glm::vec3 bilinear(const core::ImageRgb8& picture, const glm::dvec2& at) {
+glm::vec3 bilinear(const common::ImageRgb8& picture, const glm::dvec2& at) {
   const auto texel = [&](double x, double y) {
     const int i = std::clamp(static_cast<int>(x), 0, picture.width() - 1);
     const int j = std::clamp(static_cast<int>(y), 0, picture.height() - 1);
@@ -27,10 +27,10 @@ glm::vec3 bilinear(const core::ImageRgb8& picture, const glm::dvec2& at) {
                   glm::mix(texel(x, y + 1), texel(x + 1, y + 1), fx), fy);
 }
 
-std::optional<glm::vec3> seen_color(const core::ImageRgb8& picture,
-                                    const core::FisheyeModel& fisheye,
+std::optional<glm::vec3> seen_color(const common::ImageRgb8& picture,
+                                    const common::FisheyeModel& fisheye,
                                     const glm::dvec3& direction) {
-  const auto pixel = core::project(fisheye, direction);
+  const auto pixel = common::project(fisheye, direction);
   if (!pixel || pixel->x < -0.5 || pixel->y < -0.5 || pixel->x > picture.width() - 0.5 ||
       pixel->y > picture.height() - 0.5) {
     return std::nullopt;
@@ -38,19 +38,20 @@ std::optional<glm::vec3> seen_color(const core::ImageRgb8& picture,
   return bilinear(picture, *pixel);
 }
 
-scene::Environment equirectangular(const core::ImageRgb8& picture) {
-  scene::Environment environment{core::ImageRgb32f(picture.width(), picture.height()), true};
+scene::Environment equirectangular(const common::ImageRgb8& picture) {
+  scene::Environment environment{common::ImageRgb32f(picture.width(), picture.height()), true};
   std::transform(picture.pixels().begin(), picture.pixels().end(), environment.radiance.data(),
-                 [](const core::Rgb8& pixel) { return scene::srgb_decode(pixel); });
+                 [](const common::Rgb8& pixel) { return scene::srgb_decode(pixel); });
   return environment;
 }
 
 }  // namespace
 
-scene::Environment unroll_fisheye(const core::ImageRgb8& picture, const core::FisheyeModel& fisheye,
+scene::Environment unroll_fisheye(const common::ImageRgb8& picture,
+                                  const common::FisheyeModel& fisheye,
                                   const glm::dquat& world_from_fisheye) {
-  scene::Environment environment{core::ImageRgb32f(kUnrolledWidth, kUnrolledHeight), true};
-  core::Image<std::uint8_t> seen(kUnrolledWidth, kUnrolledHeight);
+  scene::Environment environment{common::ImageRgb32f(kUnrolledWidth, kUnrolledHeight), true};
+  common::Image<std::uint8_t> seen(kUnrolledWidth, kUnrolledHeight);
   const glm::dquat fisheye_from_world = glm::conjugate(glm::normalize(world_from_fisheye));
   glm::dvec3 sum(0.0);
   double solid_angle = 0.0;
@@ -74,11 +75,11 @@ scene::Environment unroll_fisheye(const core::ImageRgb8& picture, const core::Fi
 }
 
 scene::Environment make_environment(const EnvironmentInput& input) {
-  const core::ImageRgb8 picture = codec::decode_jpeg(input.image);
+  const common::ImageRgb8 picture = codec::decode_jpeg(input.image);
   if (input.projection == EnvironmentInput::Projection::Equirectangular) {
     return equirectangular(picture);
   }
-  if (const std::string defect = core::describe_defect(input.fisheye); !defect.empty()) {
+  if (const std::string defect = common::describe_defect(input.fisheye); !defect.empty()) {
     throw std::invalid_argument("fish-eye: " + defect);
   }
   if (picture.width() != input.fisheye.width || picture.height() != input.fisheye.height) {

@@ -2,9 +2,9 @@
 // scene.
 #pragma once
 
-#include "core/image.h"
+#include "common/image.h"
 #include "frame/frame.h"
-#include "scene/environment.h"
+#include "scene/light/environment.h"
 
 namespace amalgam::frame {
 
@@ -13,9 +13,10 @@ namespace amalgam::frame {
 scene::Environment make_environment(const EnvironmentInput& input);
 
 // An equirectangular low-dynamic-range map of what the fish-eye sees (the thesis's camera).
-// Directions that it does not see get the mean colour of those that it does, by solid angle:
+// Directions that it does not see get the mean color of those that it does, by solid angle:
 // neither a dark nor a bright hole.
-scene::Environment unroll_fisheye(const core::ImageRgb8& picture, const core::FisheyeModel& fisheye,
+scene::Environment unroll_fisheye(const common::ImageRgb8& picture,
+                                  const common::FisheyeModel& fisheye,
                                   const glm::dquat& world_from_fisheye);
 
 }  // namespace amalgam::frame

@@ -12,10 +12,10 @@
 #include <variant>
 #include <vector>
 
-#include "core/camera_model.h"
-#include "core/fisheye_model.h"
-#include "core/image.h"
-#include "core/pose.h"
+#include "common/camera_model.h"
+#include "common/fisheye_model.h"
+#include "common/image.h"
+#include "common/pose.h"
 #include "core/provenance.h"
 #include "core/ray_counts.h"
 #include "core/timings.h"
@@ -27,8 +27,8 @@ using Bytes = std::vector<std::byte>;
 
 struct FrameInput {
   // The camera image: a JPEG as the client sent it, or pixels that were decoded already.
-  std::variant<Bytes, core::ImageRgb8> image;
-  std::vector<core::MarkerPose> poses;
+  std::variant<Bytes, common::ImageRgb8> image;
+  std::vector<common::MarkerPose> poses;
 };
 
 // One line of the pass list: what ran, or why it was left out.
@@ -61,7 +61,7 @@ struct FrameStatistics {
 struct FrameOutput {
   Bytes jpeg;              // the composite; the client's own bytes if nothing virtual had an effect
   bool unchanged = false;  // those bytes are the input's
-  core::ImageRgb8 pixels;  // the composite, only if ViewOptions::keep_pixels
+  common::ImageRgb8 pixels;  // the composite, only if ViewOptions::keep_pixels
   // Where each pixel's light came from, of the ideal image; only if ViewOptions::keep_provenance
   // and something was drawn.
   std::optional<core::ProvenanceImage> provenance;
@@ -69,7 +69,7 @@ struct FrameOutput {
 };
 
 struct ViewOptions {
-  core::CameraModel camera;
+  common::CameraModel camera;
   int jpeg_quality = 0;  // 1..100; 0: the default, and an unaffected frame goes back byte for byte
   bool keep_pixels = false;  // also return the composite as pixels
   bool keep_provenance = false;
@@ -87,7 +87,7 @@ using FrameResult = std::variant<FrameOutput, FrameFailure>;
 struct EnvironmentInput {
   Bytes image;
   enum class Projection { Equirectangular, Fisheye } projection = Projection::Equirectangular;
-  core::FisheyeModel fisheye{};                       // of a fish-eye image
+  common::FisheyeModel fisheye{};                     // of a fish-eye image
   glm::dquat world_from_fisheye{1.0, 0.0, 0.0, 0.0};  // unit; the world's axes are glTF's
 };
 
@@ -103,7 +103,7 @@ class FrameService {
   // Called on the render thread when a frame is done; must be quick and must not throw.
   using Deliver = std::function<void(std::uint64_t frame_id, FrameResult result)>;
 
-  // Throws std::invalid_argument if core::describe_defect(options.camera) is not empty.
+  // Throws std::invalid_argument if common::describe_defect(options.camera) is not empty.
   virtual ViewId open_view(const ViewOptions& options, Deliver deliver) = 0;
 
   // Returns true if a frame that was waiting has been replaced (and will never be delivered).

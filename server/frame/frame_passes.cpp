@@ -3,15 +3,15 @@
 #include <algorithm>
 
 #include "frame/nothing_in_view.h"
-#include "passes/look_up.h"
-#include "passes/merge.h"
-#include "passes/raster_meter.h"
-#include "passes/reached_tiles.h"
-#include "passes/real_depth.h"
-#include "passes/resolve.h"
-#include "passes/shadow_bound.h"
-#include "passes/upload_view.h"
-#include "passes/warp.h"
+#include "passes/image/look_up.h"
+#include "passes/image/merge.h"
+#include "passes/image/warp.h"
+#include "passes/raster/raster_meter.h"
+#include "passes/raster/reached_tiles.h"
+#include "passes/raster/real_depth.h"
+#include "passes/raster/resolve.h"
+#include "passes/raster/shadow_bound.h"
+#include "passes/raster/upload_view.h"
 
 namespace amalgam::frame {
 namespace {
@@ -229,7 +229,7 @@ FramePasses add_frame_passes(graph::FrameGraph& graph, const SceneResources& res
   add_refinement(graph, resources, request, frame);
   auto layers = frame.layers;
   const float scale = request.settings.render_scale;
-  const core::CameraModel& camera = request.view.options.camera;
+  const common::CameraModel& camera = request.view.options.camera;
   if (request.view.warp_map || scale < 1.0f) {
     const auto& map = request.view.warp_map;
     layers = passes::add_warp_pass(

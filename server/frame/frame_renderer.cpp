@@ -14,10 +14,10 @@
 #include "frame/rendering_threads.h"
 #include "frame/scene_variant.h"
 #include "gl/shader_interface.h"
-#include "passes/light_extraction.h"
+#include "passes/image/light_extraction.h"
 #include "scene/anchored_scene.h"
-#include "scene/env_lights.h"
 #include "scene/features.h"
+#include "scene/light/env_lights.h"
 
 namespace amalgam::frame {
 namespace {
@@ -199,7 +199,7 @@ class FrameRenderer::Impl {
   }
 
   // What is kept knows nothing of buffers, provenance and logged rays, and refinement looks for
-  // edges in the camera's colours.
+  // edges in the camera's colors.
   void begin_still(ViewState& view, const RendererSettings& settings,
                    const passes::RenderView& render_view, bool keep_buffers) const {
     const bool refines = settings.adaptive_threshold || settings.trace_shadow_edges;

@@ -5,8 +5,8 @@
 
 #include <memory>
 
+#include "frame/buffer_dump.h"
 #include "frame/frame.h"
-#include "frame/frame_buffers.h"
 #include "frame/renderer_settings.h"
 #include "frame/view_state.h"
 #include "scene/scene.h"

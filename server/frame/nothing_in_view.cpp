@@ -25,7 +25,7 @@ using View = std::array<Plane, 5>;
 // A few pixels more than the picture: shadows are filtered, and samples lie between the centres.
 View view_planes(const passes::RenderView& view) {
   constexpr double kMargin = 3.0;
-  const core::CameraModel& camera = view.ideal;
+  const common::CameraModel& camera = view.ideal;
   const double left = (-kMargin - camera.cx) / camera.fx;
   const double right = (camera.width - 1.0 + kMargin - camera.cx) / camera.fx;
   const double top = (-kMargin - camera.cy) / camera.fy;

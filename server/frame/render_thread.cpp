@@ -5,12 +5,12 @@
 #include <stdexcept>
 
 #include "codec/jpeg.h"
-#include "core/log.h"
+#include "common/log.h"
 #include "frame/default_view.h"
 #include "frame/environment_input.h"
 #include "frame/frame_renderer.h"
 #include "frame/view_state.h"
-#include "scene/gltf_loader.h"
+#include "scene/gltf/loader.h"
 
 namespace amalgam::frame {
 namespace {
@@ -31,9 +31,9 @@ FrameService::MarkerSet marker_set(const scene::Scene& scene) {
 // Renders a small frame for nobody: shaders are compiled for good and shadow maps drawn, which a
 // first client would wait seconds for otherwise.
 void warm_up(FrameRenderer& renderer) {
-  ViewState view({.camera = core::default_camera(160, 120)});
-  const core::ImageRgb8 grey(view.options.camera.width, view.options.camera.height,
-                             core::Rgb8(128));
+  ViewState view({.camera = common::default_camera(160, 120)});
+  const common::ImageRgb8 grey(view.options.camera.width, view.options.camera.height,
+                               common::Rgb8(128));
   renderer.render(view, {grey, {default_pose(renderer.scene().world.marker)}});
 }
 
@@ -49,7 +49,7 @@ struct RenderThread::View {
   };
 
   ViewState state;  // used by the render thread only
-  core::Mailbox<Waiting> mailbox;
+  common::Mailbox<Waiting> mailbox;
   bool has_work = false;  // under RenderThread::mutex_
   std::mutex delivering;
   bool closed = false;  // under delivering
@@ -172,7 +172,7 @@ void RenderThread::serve(FrameRenderer& renderer, View& view) {
   } catch (const codec::JpegError& error) {
     result = FrameFailure{FrameFailure::Kind::BadImage, error.what()};
   } catch (const std::exception& error) {
-    core::log_error("frame " + std::to_string(waiting->frame_id) + " failed: " + error.what());
+    common::log_error("frame " + std::to_string(waiting->frame_id) + " failed: " + error.what());
     result = FrameFailure{FrameFailure::Kind::Internal, error.what()};
   }
   const std::lock_guard lock(view.delivering);

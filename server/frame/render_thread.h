@@ -10,7 +10,7 @@
 #include <string>
 #include <thread>
 
-#include "core/mailbox.h"
+#include "common/mailbox.h"
 #include "frame/frame.h"
 #include "frame/renderer_settings.h"
 
@@ -59,7 +59,7 @@ class RenderThread : public FrameService {
   mutable std::mutex mutex_;
   std::condition_variable_any work_;
   Views views_;  // under mutex_
-  core::Mailbox<NewEnvironment> environment_;
+  common::Mailbox<NewEnvironment> environment_;
   bool has_environment_ = false;  // under mutex_
   ViewId last_id_ = 0;            // under mutex_
   ViewId last_served_ = 0;        // under mutex_

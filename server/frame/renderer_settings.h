@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "scene/env_lights.h"
+#include "scene/light/env_lights.h"
 #include "trace/tracer.h"
 
 namespace amalgam::frame {
@@ -33,7 +33,7 @@ struct RendererSettings {
   // Diffuse surfaces are shaded only in tiles where something virtual may show. Off for
   // comparisons: the picture is the same to the bit.
   bool leave_out_tiles = true;
-  // While nothing moves, only the camera's colours are looked up anew. Off for measuring what a
+  // While nothing moves, only the camera's colors are looked up anew. Off for measuring what a
   // moving camera costs: the picture is the same to the bit.
   bool reuse_still_frames = true;
   trace::TraceSettings trace;

@@ -7,7 +7,7 @@
 namespace amalgam::frame {
 
 // Raster: without its specular instances. Diffuse: specular materials become diffuse ones of the
-// same base colour. Otherwise as it is.
+// same base color. Otherwise as it is.
 scene::Scene scene_variant(scene::Scene scene, RendererMode mode);
 
 }  // namespace amalgam::frame

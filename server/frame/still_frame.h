@@ -1,4 +1,4 @@
-// What one view's frames have in common while nothing moves: all but the camera's colours and the
+// What one view's frames have in common while nothing moves: all but the camera's colors and the
 // exposure. A camera on a tripod then pays only for looking these up.
 //
 // Kept from the second of two equal frames on, so that a moving camera pays nothing for it, and
@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "passes/exposure_meter.h"
-#include "passes/look_up.h"
-#include "passes/mask.h"
-#include "passes/raster_context.h"
+#include "passes/image/exposure_meter.h"
+#include "passes/image/look_up.h"
+#include "passes/raster/mask.h"
+#include "passes/raster/raster_context.h"
 #include "scene/anchored_scene.h"
 #include "trace/trace_request.h"
 

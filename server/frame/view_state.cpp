@@ -5,13 +5,13 @@
 namespace amalgam::frame {
 
 ViewState::ViewState(const ViewOptions& view_options) : options(view_options) {
-  if (const std::string defect = core::describe_defect(options.camera); !defect.empty()) {
+  if (const std::string defect = common::describe_defect(options.camera); !defect.empty()) {
     throw std::invalid_argument(defect);
   }
   if (options.jpeg_quality < 0 || options.jpeg_quality > 100) {
     throw std::invalid_argument("JPEG quality must be within 1 and 100, or 0 for the default");
   }
-  ideal = core::ideal_camera_covering(options.camera);
+  ideal = common::ideal_camera_covering(options.camera);
   if (options.camera.has_distortion()) warp_map = passes::make_warp_map(options.camera, ideal);
 }
 

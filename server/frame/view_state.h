@@ -3,12 +3,12 @@
 
 #include <optional>
 
-#include "core/camera_model.h"
+#include "common/camera_model.h"
 #include "frame/frame.h"
 #include "frame/governor.h"
 #include "frame/still_frame.h"
-#include "passes/exposure.h"
-#include "passes/warp.h"
+#include "passes/image/exposure.h"
+#include "passes/image/warp.h"
 
 namespace amalgam::frame {
 
@@ -18,7 +18,7 @@ struct ViewState {
 
   ViewOptions options;
   // What is rendered, at full size: no distortion, with margins.
-  core::CameraModel ideal;
+  common::CameraModel ideal;
   std::optional<passes::WarpMap> warp_map;  // only if the lens distorts
   passes::ExposureMemory exposure;
   StillView still;

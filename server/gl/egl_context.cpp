@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "core/log.h"
+#include "common/log.h"
 #include "gl/gl_error.h"
 
 namespace amalgam::gl {

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "core/log.h"
+#include "common/log.h"
 
 namespace amalgam::gl {
 namespace {
@@ -31,7 +31,7 @@ void on_message(GLenum source, GLenum type, GLuint, GLenum, GLsizei length, cons
   // Shaders that do not compile are thrown by ShaderProgram, with their source.
   if (type != GL_DEBUG_TYPE_ERROR || source == GL_DEBUG_SOURCE_SHADER_COMPILER) return;
   const std::string message(text, static_cast<std::size_t>(length));
-  core::log_error("OpenGL: " + message);
+  common::log_error("OpenGL: " + message);
 #ifndef NDEBUG
   // Out of memory is an error of the machine and is thrown by whoever allocated.
   AMALGAM_CHECK(message.find("GL_OUT_OF_MEMORY") != std::string::npos, message);

@@ -7,8 +7,8 @@
 #include <span>
 
 #include "gl/shader_interface.h"
+#include "scene/light/tone_map.h"
 #include "scene/texture_lookup.h"
-#include "scene/tone_map.h"
 
 namespace amalgam::gl {
 namespace {
@@ -111,21 +111,21 @@ std::uint32_t texture_bits(const scene::Material& material, const scene::Mesh& m
 // other at its right (shaders/texture_lookup.glsl). Not as levels of a GL texture, because llvmpipe
 // reads four neighbouring fragments at one level, even where a shader says which, and they may
 // belong to different triangles.
-core::ImageRgba8 mip_atlas(const scene::Texture& texture) {
+common::ImageRgba8 mip_atlas(const scene::Texture& texture) {
   if (texture.mips.empty()) return texture.texels;
   const int left = texture.texels.width();
   int below = 0;
-  for (const core::ImageRgba8& mip : texture.mips) below += mip.height();
-  core::ImageRgba8 atlas(left + texture.mips.front().width(),
-                         std::max(texture.texels.height(), below));
-  const auto place = [&](const core::ImageRgba8& image, int x0, int y0) {
+  for (const common::ImageRgba8& mip : texture.mips) below += mip.height();
+  common::ImageRgba8 atlas(left + texture.mips.front().width(),
+                           std::max(texture.texels.height(), below));
+  const auto place = [&](const common::ImageRgba8& image, int x0, int y0) {
     for (int y = 0; y < image.height(); ++y) {
       for (int x = 0; x < image.width(); ++x) atlas.at(x0 + x, y0 + y) = image.at(x, y);
     }
   };
   place(texture.texels, 0, 0);
   below = 0;
-  for (const core::ImageRgba8& mip : texture.mips) {
+  for (const common::ImageRgba8& mip : texture.mips) {
     place(mip, left, below);
     below += mip.height();
   }
@@ -133,7 +133,7 @@ core::ImageRgba8 mip_atlas(const scene::Texture& texture) {
 }
 
 Texture upload_texture(const scene::Texture& texture) {
-  const core::ImageRgba8 atlas = mip_atlas(texture);
+  const common::ImageRgba8 atlas = mip_atlas(texture);
   Texture gpu(TextureFormat::Rgba8ui, atlas.size());
   gpu.upload(atlas.data());
   return gpu;
@@ -150,8 +150,8 @@ Buffer upload_srgb_table() {
 
 }  // namespace
 
-SceneFeatures find_features(const scene::Scene& scene) {
-  SceneFeatures features;
+ShaderFeatures find_features(const scene::Scene& scene) {
+  ShaderFeatures features;
   int real_opaque = 0;
   bool all_flat = true;
   for (const scene::Instance& instance : scene.instances) {

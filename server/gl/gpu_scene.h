@@ -30,13 +30,13 @@ struct GpuInstanceInfo {
   scene::Role role = scene::Role::Virtual;
   scene::MaterialKind kind = scene::MaterialKind::Diffuse;
   std::uint32_t textures = 0;  // GpuMaterial::textures, those that the mesh has uvs for
-  bool detailed = false;       // has textures or vertex colours
+  bool detailed = false;       // has textures or vertex colors
   bool cut_out = false;        // has an alpha mask and an alpha that varies
   bool invisible = false;      // its alpha mask leaves nothing
 };
 
 // What shaders can do without, because the scene has none of it.
-struct SceneFeatures {
+struct ShaderFeatures {
   std::uint32_t textures = 0;  // bit n: some surface has a texture in TextureSlot n
   bool second_uvs = false;     // some texture is read at Mesh::second_uvs
   bool vertex_colors = false;
@@ -49,7 +49,7 @@ struct SceneFeatures {
   }
   bool has_details() const { return textures != 0 || vertex_colors; }
 };
-SceneFeatures find_features(const scene::Scene& scene);
+ShaderFeatures find_features(const scene::Scene& scene);
 
 class GpuScene {
  public:
@@ -59,7 +59,7 @@ class GpuScene {
   const std::vector<GpuInstanceInfo>& instances() const { return instances_; }
 
   const std::vector<GpuMaterial>& materials() const { return materials_; }
-  const SceneFeatures& features() const { return features_; }
+  const ShaderFeatures& features() const { return features_; }
 
   // Binds the table that reads textures: the sRGB curve.
   void bind_tables() const;
@@ -72,7 +72,7 @@ class GpuScene {
   std::vector<Texture> textures_;  // RGBA8UI, encoded as in the file
   std::vector<std::array<std::optional<std::uint32_t>, scene::kTextureSlots>> textures_of_material_;
   std::vector<GpuMaterial> materials_;
-  SceneFeatures features_;
+  ShaderFeatures features_;
   Buffer srgb_table_;
 };
 

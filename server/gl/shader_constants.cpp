@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include "gl/shader_interface.h"
-#include "scene/light.h"
+#include "scene/light/light.h"
 #include "scene/material.h"
 #include "scene/scene.h"
 #include "scene/texture_lookup.h"

@@ -48,7 +48,7 @@ constexpr int kLightCountLocation = 1;
 constexpr int kShadowMapsPresentLocation = 2;  // bit i: the map of CasterClass i is bound
 constexpr int kMaskStepLocation = 3;
 constexpr int kSamplesOfTileLocation = 4;
-// Colours that shade_diffuse.frag writes, by their place in Framebuffer::Attachments::colors.
+// Colors that shade_diffuse.frag writes, by their place in Framebuffer::Attachments::colors.
 constexpr int kMixedOutput = 0;
 constexpr int kRealOutput = 1;
 

@@ -16,14 +16,14 @@ static_assert(kFewSuns == 8, "shade_diffuse.frag writes out so many lights one b
 
 enum class SeenFrom { Camera, Light };
 
-std::string caster_defines(const SceneFeatures& features) {
+std::string caster_defines(const ShaderFeatures& features) {
   return define("HAS_REAL_OPAQUE", features.real_opaque) +
          define("HAS_VIRTUAL_OPAQUE", features.virtual_opaque) +
          define("HAS_REAL_GLASS", features.real_glass) +
          define("HAS_VIRTUAL_GLASS", features.virtual_glass);
 }
 
-std::string detail_defines(const SceneFeatures& features) {
+std::string detail_defines(const ShaderFeatures& features) {
   const auto has = [&](scene::TextureSlot slot) { return features.has_texture(slot); };
   using enum scene::TextureSlot;
   return define("HAS_BASE_COLOR_TEXTURE", has(BaseColor)) +
@@ -35,12 +35,12 @@ std::string detail_defines(const SceneFeatures& features) {
 }
 
 SurfaceProgram surface_program(std::string_view fragment_file, SeenFrom from,
-                               const SceneFeatures& features, const std::string& shading = {}) {
+                               const ShaderFeatures& features, const std::string& shading = {}) {
   const bool camera = from == SeenFrom::Camera;
   const std::string_view vertex_file = camera ? "draw_surface.vert" : "draw_caster.vert";
   const std::string common = caster_defines(features) + define("FROM_CAMERA", camera) + shading;
   SurfaceProgram program{
-      ShaderProgram(vertex_file, fragment_file, common + detail_defines(SceneFeatures())), {}};
+      ShaderProgram(vertex_file, fragment_file, common + detail_defines(ShaderFeatures())), {}};
   if (features.has_details()) {
     program.detailed.emplace(vertex_file, fragment_file, common + detail_defines(features));
   }
@@ -49,7 +49,7 @@ SurfaceProgram surface_program(std::string_view fragment_file, SeenFrom from,
 
 }  // namespace
 
-ShaderLibrary::ShaderLibrary(const SceneFeatures& features)
+ShaderLibrary::ShaderLibrary(const ShaderFeatures& features)
     : write_mask(surface_program("write_mask.frag", SeenFrom::Camera, features)),
       shade_diffuse(surface_program("shade_diffuse.frag", SeenFrom::Camera, features,
                                     define("FEW_SUNS", false) + define("IS_LONE_PLANE", false))),

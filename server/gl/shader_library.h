@@ -9,7 +9,7 @@
 
 namespace amalgam::gl {
 
-// A program for surfaces, and one that also reads their textures and vertex colours, if the scene
+// A program for surfaces, and one that also reads their textures and vertex colors, if the scene
 // has any: of both programs one for all surfaces, with what the scene lacks left out.
 struct SurfaceProgram {
   ShaderProgram plain;
@@ -18,11 +18,11 @@ struct SurfaceProgram {
 
 struct ShaderLibrary {
   // Features that the scene lacks are left out of the shaders' code.
-  explicit ShaderLibrary(const SceneFeatures& features);
+  explicit ShaderLibrary(const ShaderFeatures& features);
 
   SurfaceProgram write_mask;
   // Both solutions of diffuse surfaces under any lights; under at most kFewSuns directional ones;
-  // and under those of a lone real plane (SceneFeatures).
+  // and under those of a lone real plane (ShaderFeatures).
   SurfaceProgram shade_diffuse;
   SurfaceProgram shade_under_few_suns;
   SurfaceProgram shade_lone_plane;

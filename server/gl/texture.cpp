@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "core/log.h"
+#include "common/log.h"
 #include "gl/gl_error.h"
 
 namespace amalgam::gl {

@@ -1,6 +1,6 @@
 // Owns one OpenGL texture: two-dimensional, or an array of layers; immutable storage, one level.
 //
-// Row 0 is the top of the picture (see passes/upload_view.h), so nothing is ever flipped.
+// Row 0 is the top of the picture (see passes/raster/upload_view.h), so nothing is ever flipped.
 #pragma once
 
 #include <epoxy/gl.h>

@@ -23,7 +23,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/log.h"
+#include "common/log.h"
 #include "core/timings.h"
 
 namespace amalgam::graph {

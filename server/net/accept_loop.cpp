@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "core/log.h"
+#include "common/log.h"
 
 namespace amalgam::net {
 namespace {
@@ -19,7 +19,7 @@ using boost::system::error_code;
 // Long enough not to spin while descriptors are short, short enough for nobody to notice.
 constexpr std::chrono::milliseconds kPauseAfterError{100};
 
-tcp::endpoint endpoint_of(const HostPort& address) {
+tcp::endpoint endpoint_of(const common::HostPort& address) {
   error_code ec;
   const auto ip = asio::ip::make_address(address.host, ec);
   if (ec) throw std::runtime_error("'" + address.host + "' is not a numeric IP address");
@@ -28,7 +28,7 @@ tcp::endpoint endpoint_of(const HostPort& address) {
 
 }  // namespace
 
-AcceptLoop::AcceptLoop(asio::io_context& io, const HostPort& address, OnAccept on_accept)
+AcceptLoop::AcceptLoop(asio::io_context& io, const common::HostPort& address, OnAccept on_accept)
     : acceptor_(io), pause_(io), on_accept_(std::move(on_accept)) {
   const tcp::endpoint endpoint = endpoint_of(address);
   error_code ec;
@@ -50,7 +50,7 @@ void AcceptLoop::close() {
   pause_.cancel();
 }
 
-HostPort AcceptLoop::address() const {
+common::HostPort AcceptLoop::address() const {
   const tcp::endpoint endpoint = acceptor_.local_endpoint();
   return {endpoint.address().to_string(), endpoint.port()};
 }
@@ -68,7 +68,7 @@ void AcceptLoop::on_accept(const error_code& ec, tcp::socket socket) {
     on_accept_(std::move(socket));
     return accept();
   }
-  core::log_warn("accept: " + ec.message());
+  common::log_warn("accept: " + ec.message());
   pause_.expires_after(kPauseAfterError);
   pause_.async_wait([this](const error_code& cancelled) {
     if (!cancelled && acceptor_.is_open()) accept();

@@ -16,13 +16,13 @@ class AcceptLoop {
   using OnAccept = std::function<void(boost::asio::ip::tcp::socket)>;
 
   // Takes the address, so that a port in use is an exception at start-up, but does not listen yet.
-  AcceptLoop(boost::asio::io_context& io, const HostPort& address, OnAccept on_accept);
+  AcceptLoop(boost::asio::io_context& io, const common::HostPort& address, OnAccept on_accept);
 
   // Throws std::runtime_error. From here on connections queue up; start() accepts them.
   void listen();
   void start() { accept(); }
   void close();
-  HostPort address() const;  // with the port that port 0 became
+  common::HostPort address() const;  // with the port that port 0 became
 
  private:
   void accept();

@@ -97,8 +97,8 @@ class Admin::Connection : public std::enable_shared_from_this<Connection> {
   Response response_;
 };
 
-Admin::Admin(boost::asio::io_context& io, const HostPort& address, std::size_t max_connections,
-             AdminPages pages)
+Admin::Admin(boost::asio::io_context& io, const common::HostPort& address,
+             std::size_t max_connections, AdminPages pages)
     : shared_(std::make_shared<Shared>(std::move(pages))),
       max_connections_(max_connections),
       accept_loop_(io, address, [this](tcp::socket socket) {

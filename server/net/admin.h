@@ -22,12 +22,12 @@ struct AdminPages {
 
 class Admin {
  public:
-  Admin(boost::asio::io_context& io, const HostPort& address, std::size_t max_connections,
+  Admin(boost::asio::io_context& io, const common::HostPort& address, std::size_t max_connections,
         AdminPages pages);
 
   void start();
   void close() { accept_loop_.close(); }
-  HostPort address() const { return accept_loop_.address(); }
+  common::HostPort address() const { return accept_loop_.address(); }
 
  private:
   class Connection;

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/pose.h"
+#include "common/pose.h"
 #include "net/metrics.h"
 
 namespace amalgam::net {
@@ -22,7 +22,7 @@ class FrameLedger {
     std::uint64_t number = 0;  // ours, since nobody checks the client's
     std::uint64_t frame_id = 0;
     std::uint64_t capture_time_us = 0;
-    std::vector<core::MarkerPose> poses;  // rendered with
+    std::vector<common::MarkerPose> poses;  // rendered with
     std::chrono::steady_clock::time_point arrival;
   };
 

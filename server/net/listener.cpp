@@ -31,8 +31,8 @@ void say_and_close(tcp::socket& socket, const std::string& bytes) {
 
 }  // namespace
 
-Listener::Listener(boost::asio::io_context& io, const HostPort& address, ConnectionLimits& limits,
-                   Metrics& metrics, OnAdmitted on_admitted)
+Listener::Listener(boost::asio::io_context& io, const common::HostPort& address,
+                   ConnectionLimits& limits, Metrics& metrics, OnAdmitted on_admitted)
     : limits_(limits),
       metrics_(metrics),
       on_admitted_(std::move(on_admitted)),

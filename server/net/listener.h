@@ -18,13 +18,13 @@ class Listener {
  public:
   using OnAdmitted = std::function<void(boost::asio::ip::tcp::socket, ConnectionLimits::Ticket)>;
 
-  Listener(boost::asio::io_context& io, const HostPort& address, ConnectionLimits& limits,
+  Listener(boost::asio::io_context& io, const common::HostPort& address, ConnectionLimits& limits,
            Metrics& metrics, OnAdmitted on_admitted);
 
   void listen() { accept_loop_.listen(); }
   void start() { accept_loop_.start(); }
   void close() { accept_loop_.close(); }
-  HostPort address() const { return accept_loop_.address(); }
+  common::HostPort address() const { return accept_loop_.address(); }
 
  private:
   void judge(boost::asio::ip::tcp::socket socket);

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/log.h"
+#include "common/log.h"
 #include "net/admin.h"
 #include "net/connection_limits.h"
 #include "net/listener.h"
@@ -74,8 +74,8 @@ class Server::Impl {
     asio::post(io_, [this] { finish(); });
   }
 
-  HostPort address() const { return listener_.address(); }
-  HostPort admin_address() const { return admin_.address(); }
+  common::HostPort address() const { return listener_.address(); }
+  common::HostPort admin_address() const { return admin_.address(); }
 
  private:
   enum class Phase { Loading, Serving, Draining, Finished };
@@ -108,7 +108,7 @@ class Server::Impl {
 
   void begin_drain() {
     if (phase_ != Phase::Serving && phase_ != Phase::Loading) return;
-    core::log_info("draining " + std::to_string(sessions_.size()) + " sessions");
+    common::log_info("draining " + std::to_string(sessions_.size()) + " sessions");
     phase_ = Phase::Draining;
     listener_.close();
     // A copy: sessions leave the map as they end.
@@ -196,10 +196,10 @@ void Server::drain() {
 void Server::stop() {
   impl_->stop();
 }
-HostPort Server::address() const {
+common::HostPort Server::address() const {
   return impl_->address();
 }
-HostPort Server::admin_address() const {
+common::HostPort Server::admin_address() const {
   return impl_->admin_address();
 }
 

@@ -32,8 +32,8 @@ class Server {
   // The same without finishing anything.
   void stop();
 
-  HostPort address() const;
-  HostPort admin_address() const;
+  common::HostPort address() const;
+  common::HostPort admin_address() const;
 
  private:
   class Impl;

@@ -7,21 +7,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <string_view>
 
+#include "common/host_port.h"
 #include "protocol/limits.h"
 
 namespace amalgam::net {
-
-struct HostPort {
-  std::string host;  // a numeric IPv4 or IPv6 address
-  std::uint16_t port = 0;
-  bool operator==(const HostPort&) const = default;
-};
-
-// "127.0.0.1:7447" or "[::1]:7447". Throws std::invalid_argument for anything else.
-HostPort parse_host_port(std::string_view text);
-std::string to_string(const HostPort& address);
 
 struct SessionLimits {
   std::chrono::milliseconds hello_timeout = protocol::kHelloTimeout;
@@ -43,8 +33,8 @@ struct ConnectionCaps {
 };
 
 struct ServerConfig {
-  HostPort listen{"127.0.0.1", 7447};
-  HostPort admin{"127.0.0.1", 7448};
+  common::HostPort listen{"127.0.0.1", 7447};
+  common::HostPort admin{"127.0.0.1", 7448};
   std::string token;       // a secret: never logged; empty: clients need none
   std::string ray_tracer;  // what renders, for the /state page
   SessionLimits session;

@@ -6,8 +6,8 @@
 #include <boost/asio/write.hpp>
 #include <utility>
 
-#include "core/log.h"
-#include "net/tcp_options.h"
+#include "common/log.h"
+#include "common/tcp_options.h"
 #include "net/wire.h"
 #include "protocol/geometry.h"
 #include "protocol/limits.h"
@@ -17,6 +17,18 @@ namespace amalgam::net {
 namespace asio = boost::asio;
 using protocol::Envelope;
 using protocol::Error;
+
+namespace {
+
+// Address and port of the other end, for logs.
+std::string peer_of(const asio::ip::tcp::socket& socket) {
+  boost::system::error_code ec;
+  const auto endpoint = socket.remote_endpoint(ec);
+  return ec ? "unknown"
+            : to_string(common::HostPort{endpoint.address().to_string(), endpoint.port()});
+}
+
+}  // namespace
 
 Session::Session(asio::ip::tcp::socket socket, ConnectionLimits::Ticket ticket, std::uint64_t id,
                  SessionContext& context)
@@ -30,7 +42,7 @@ Session::Session(asio::ip::tcp::socket socket, ConnectionLimits::Ticket ticket, 
       read_buffer_(protocol::kMaxBeforeHelloBytes),
       decoder_(protocol::limits_before_hello()),
       slot_(protocol::kMaxQueuedControl),
-      pose_memory_(context.config.session.pose_hold),
+      pose_hold_(context.config.session.pose_hold),
       ledger_(context.metrics) {}
 
 Session::~Session() {
@@ -38,7 +50,8 @@ Session::~Session() {
 }
 
 void Session::start() {
-  set_tcp_options(socket_, context_.config.session.idle_timeout);
+  common::set_tcp_options(socket_.native_handle(),
+                          {context_.config.session.idle_timeout, protocol::kUnsentBytes});
   wait();
   read();
 }
@@ -121,8 +134,8 @@ void Session::on_hello(const protocol::Hello& hello) {
   deadlines_.authenticated(Clock::now());
   wait();
   send(welcome_message(id_, context_.config.session, context_.service.markers()));
-  core::log_info(name() + ": " + std::to_string(camera_.width) + " x " +
-                 std::to_string(camera_.height));
+  common::log_info(name() + ": " + std::to_string(camera_.width) + " x " +
+                   std::to_string(camera_.height));
 }
 
 void Session::on_camera_frame(const protocol::CameraFrame& frame) {
@@ -148,8 +161,8 @@ void Session::on_camera_frame(const protocol::CameraFrame& frame) {
   ledger_.submit(std::move(entry), replaced);
 }
 
-std::vector<core::MarkerPose> Session::usable_poses(const protocol::CameraFrame& frame) {
-  PoseMemory::Resolved resolved = pose_memory_.resolve(poses_from(frame), Clock::now());
+std::vector<common::MarkerPose> Session::usable_poses(const protocol::CameraFrame& frame) {
+  PoseHold::Resolved resolved = pose_hold_.resolve(poses_from(frame), Clock::now());
   if (!resolved.rejected.empty()) {
     context_.metrics.pose_held_or_dropped(resolved.rejected.size());
     answer(poses_rejected(resolved.rejected, frame.frame_id()));
@@ -205,7 +218,8 @@ void Session::on_rendered(std::uint64_t number, frame::FrameResult result) {
       return close_if_drained();
     case frame::FrameFailure::Kind::Internal:
       // What went wrong inside is the operator's to read, not a stranger's.
-      core::log_error(name() + ": frame " + std::to_string(frame->frame_id) + ": " + failure.what);
+      common::log_error(name() + ": frame " + std::to_string(frame->frame_id) + ": " +
+                        failure.what);
       return answer(
           ClientError(Error::INTERNAL, "the frame could not be rendered", frame->frame_id));
   }
@@ -224,7 +238,7 @@ void Session::send_composite(const FrameLedger::Entry& frame, const frame::Frame
   composite.set_frame_id(frame.frame_id);
   composite.set_capture_time_us(frame.capture_time_us);
   composite.set_server_ms(server_time.count());
-  for (const core::MarkerPose& pose : frame.poses)
+  for (const common::MarkerPose& pose : frame.poses)
     *composite.add_poses() = protocol::to_message(pose);
   if (slot_.put_composite(std::move(composite))) ledger_.skip(Skip::ReplacedBeforeWrite);
   write();
@@ -234,7 +248,7 @@ void Session::send_composite(const FrameLedger::Entry& frame, const frame::Frame
 
 void Session::send(const Envelope& message) {
   // A peer that does not read its answers loses some; the write time-out ends it if that goes on.
-  if (!slot_.put_control(message)) core::log_debug(name() + ": an answer was dropped");
+  if (!slot_.put_control(message)) common::log_debug(name() + ": an answer was dropped");
   write();
 }
 
@@ -291,7 +305,7 @@ void Session::on_passed(Deadlines::Passed passed) {
     case Deadlines::Passed::SlowReader:
       // Nothing can be said to somebody who does not read.
       context_.metrics.error_sent(Error::SLOW_READER);
-      core::log_info(name() + ": evicted, it does not read");
+      common::log_info(name() + ": evicted, it does not read");
       return end();
     case Deadlines::Passed::Idle:
       fail(Error::IDLE_TIMEOUT, "nothing was heard, not even a pong");
@@ -311,7 +325,7 @@ void Session::guarded(Step step) {
   } catch (const ClientError& error) {
     answer(error);
   } catch (const std::exception& error) {
-    core::log_error(name() + ": " + error.what());
+    common::log_error(name() + ": " + error.what());
     end();
   }
 }
@@ -320,14 +334,14 @@ void Session::answer(const ClientError& error) {
   const bool closes = !is_survivable(error.code);
   context_.metrics.error_sent(error.code);
   const std::string line = name() + ": " + Error::Code_Name(error.code) + ": " + error.what();
-  closes ? core::log_info(line) : core::log_debug(line);
+  closes ? common::log_info(line) : common::log_debug(line);
   if (closes) slot_.drop_control();
   send(error_message(error));
   if (closes) close(context_.config.session.linger);
 }
 
 void Session::lost(const ErrorCode& ec, const char* what) {
-  if (state_ != State::Closing) core::log_info(name() + ": " + what + ": " + ec.message());
+  if (state_ != State::Closing) common::log_info(name() + ": " + what + ": " + ec.message());
   end();
 }
 

@@ -23,7 +23,7 @@
 #include "net/environment_slot.h"
 #include "net/frame_ledger.h"
 #include "net/metrics.h"
-#include "net/pose_memory.h"
+#include "net/pose_hold.h"
 #include "net/server_config.h"
 #include "net/write_slot.h"
 #include "protocol/framing.h"
@@ -76,7 +76,7 @@ class Session : public std::enable_shared_from_this<Session> {
   void on_environment(const protocol::Environment& environment);
   void apply(std::optional<frame::EnvironmentInput> environment);
   void on_ping(const protocol::Ping& ping);
-  std::vector<core::MarkerPose> usable_poses(const protocol::CameraFrame& frame);
+  std::vector<common::MarkerPose> usable_poses(const protocol::CameraFrame& frame);
 
   template <typename... Args>
   std::function<void(Args...)> posting(void (Session::*handler)(Args...));
@@ -123,8 +123,8 @@ class Session : public std::enable_shared_from_this<Session> {
   std::string writing_;
 
   std::optional<frame::ViewId> view_;
-  core::CameraModel camera_;
-  PoseMemory pose_memory_;
+  common::CameraModel camera_;
+  PoseHold pose_hold_;
   CaptureClock capture_clock_;
   EnvironmentSlot environments_;
   FrameLedger ledger_;

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/build_info.h"
+#include "common/build_info.h"
 
 namespace amalgam::net {
 
@@ -19,11 +19,14 @@ std::string state_json(const ServerReport& report) {
                         {"frames_skipped", session.skipped},
                         {"frames_in_flight", session.in_flight}});
   }
-  const nlohmann::ordered_json state = {
-      {"ready", report.not_ready.empty()},          {"not_ready", report.not_ready},
-      {"uptime_s", report.uptime.count()},          {"version", core::version()},
-      {"instruction_set", core::instruction_set()}, {"ray_tracer", report.ray_tracer},
-      {"connections", report.connections},          {"sessions", sessions}};
+  const nlohmann::ordered_json state = {{"ready", report.not_ready.empty()},
+                                        {"not_ready", report.not_ready},
+                                        {"uptime_s", report.uptime.count()},
+                                        {"version", common::version()},
+                                        {"instruction_set", common::instruction_set()},
+                                        {"ray_tracer", report.ray_tracer},
+                                        {"connections", report.connections},
+                                        {"sessions", sessions}};
   return state.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 

@@ -21,7 +21,7 @@ void check_size(std::uint32_t width, std::uint32_t height, Error::Code code) {
   }
 }
 
-core::CameraModel camera_from(const protocol::Camera& wire) {
+common::CameraModel camera_from(const protocol::Camera& wire) {
   check_size(wire.width(), wire.height(), Error::BAD_HELLO);
   if (wire.distortion_size() > protocol::kMaxDistortion) {
     throw ClientError(Error::BAD_HELLO, std::to_string(wire.distortion_size()) +
@@ -47,7 +47,7 @@ frame::ViewOptions view_options_from(const protocol::Hello& hello) {
   if (!hello.has_camera()) throw ClientError(Error::BAD_HELLO, "a hello without a camera");
   frame::ViewOptions options;
   options.camera = camera_from(hello.camera());
-  if (const std::string defect = core::describe_defect(options.camera); !defect.empty()) {
+  if (const std::string defect = common::describe_defect(options.camera); !defect.empty()) {
     throw ClientError(Error::BAD_HELLO, defect);
   }
   if (hello.jpeg_quality() > protocol::kMaxJpegQuality) {
@@ -59,8 +59,8 @@ frame::ViewOptions view_options_from(const protocol::Hello& hello) {
   return options;
 }
 
-std::vector<core::MarkerPose> poses_from(const protocol::CameraFrame& frame) {
-  std::vector<core::MarkerPose> poses;
+std::vector<common::MarkerPose> poses_from(const protocol::CameraFrame& frame) {
+  std::vector<common::MarkerPose> poses;
   poses.reserve(static_cast<std::size_t>(frame.poses_size()));
   for (const protocol::Pose& wire : frame.poses()) {
     poses.push_back(protocol::from_message(wire));
@@ -78,11 +78,11 @@ frame::EnvironmentInput environment_from(const protocol::Environment& environmen
     check_size(wire.width(), wire.height(), Error::BAD_ENVIRONMENT);
     input.projection = frame::EnvironmentInput::Projection::Fisheye;
     input.fisheye = protocol::from_message(wire);
-    const std::string defect = core::describe_defect(input.fisheye);
+    const std::string defect = common::describe_defect(input.fisheye);
     if (!defect.empty()) throw ClientError(Error::BAD_ENVIRONMENT, "fish-eye lens: " + defect);
-    core::MarkerPose turn;  // a rotation is judged as that of a pose
+    common::MarkerPose turn;  // a rotation is judged as that of a pose
     turn.rotation = protocol::from_message(wire.world_from_fisheye());
-    if (!core::is_usable(turn)) {
+    if (!common::is_usable(turn)) {
       throw ClientError(Error::BAD_ENVIRONMENT,
                         "fish-eye lens: its rotation is not of unit length");
     }

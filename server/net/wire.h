@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/pose.h"
+#include "common/pose.h"
 #include "frame/frame.h"
 #include "net/client_error.h"
 #include "net/server_config.h"
@@ -25,7 +25,7 @@ void check_admission(const protocol::Hello& hello, const std::string& token);
 frame::ViewOptions view_options_from(const protocol::Hello& hello);
 
 // As sent, usable or not.
-std::vector<core::MarkerPose> poses_from(const protocol::CameraFrame& frame);
+std::vector<common::MarkerPose> poses_from(const protocol::CameraFrame& frame);
 
 // Throws ClientError(BAD_ENVIRONMENT) for a missing image and for a fish-eye lens that cannot be
 // used. The image itself is the renderer's to judge.

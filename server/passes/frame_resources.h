@@ -5,12 +5,12 @@
 #include <memory>
 #include <vector>
 
-#include "core/camera_model.h"
-#include "core/image.h"
+#include "common/camera_model.h"
+#include "common/image.h"
 #include "core/layers.h"
 #include "gl/shader_interface.h"
 #include "scene/anchored_scene.h"
-#include "scene/light.h"
+#include "scene/light/light.h"
 #include "trace/shadow_bound.h"
 
 namespace amalgam::gl {
@@ -21,8 +21,8 @@ namespace amalgam::passes {
 
 // One frame's geometry, ready to be drawn or traced.
 struct RenderView {
-  core::CameraModel camera;  // as the client has it, with distortion
-  core::CameraModel
+  common::CameraModel camera;  // as the client has it, with distortion
+  common::CameraModel
       ideal;  // what is rendered: pinhole, with a margin; equals camera without distortion
   scene::AnchoredScene scene;        // world-frame transforms and the camera
   std::vector<scene::Light> lights;  // environment and punctual lights, world frame
@@ -37,7 +37,7 @@ struct SampleMask {
   static constexpr std::uint8_t kVirtual = gl::kVirtualFlag;    // M_v: the nearest one is virtual
   static constexpr std::uint8_t kSpecular = gl::kSpecularFlag;  // M_r: the nearest one is specular
   static constexpr std::uint8_t kSurface = gl::kSurfaceFlag;    // there is a surface
-  core::Image<std::uint8_t> flags;
+  common::Image<std::uint8_t> flags;
 
   // What there is in each tile of the ideal image, so that nobody has to walk over all samples
   // again.
@@ -50,7 +50,7 @@ struct SampleMask {
 // Camera-frame z (metres, positive) of the nearest *real* surface at each ideal pixel's centre;
 // infinity where there is none.
 struct RealDepth {
-  core::Image32f z;
+  common::Image32f z;
 };
 
 // Exists only if there is at least one such sample: for passes to need.

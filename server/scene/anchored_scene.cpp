@@ -8,11 +8,11 @@ namespace {
 
 using MarkerPoses = std::map<int, glm::dmat4>;  // camera_from_anchor (glTF axes)
 
-MarkerPoses usable_poses(std::span<const core::MarkerPose> poses) {
+MarkerPoses usable_poses(std::span<const common::MarkerPose> poses) {
   MarkerPoses usable;
-  for (const core::MarkerPose& pose : poses) {
-    if (core::is_usable(pose)) {
-      usable.emplace(pose.marker, core::to_matrix(pose) * core::opencv_marker_from_gltf());
+  for (const common::MarkerPose& pose : poses) {
+    if (common::is_usable(pose)) {
+      usable.emplace(pose.marker, common::to_matrix(pose) * common::opencv_marker_from_gltf());
     }
   }
   return usable;
@@ -31,7 +31,7 @@ std::optional<int> choose_world(const Scene& scene, const MarkerPoses& poses) {
 
 }  // namespace
 
-AnchoredScene anchor_scene(const Scene& scene, std::span<const core::MarkerPose> poses) {
+AnchoredScene anchor_scene(const Scene& scene, std::span<const common::MarkerPose> poses) {
   AnchoredScene anchored;
   const MarkerPoses seen = usable_poses(poses);
   const std::optional<int> world = choose_world(scene, seen);
@@ -39,7 +39,7 @@ AnchoredScene anchor_scene(const Scene& scene, std::span<const core::MarkerPose>
 
   anchored.world_marker = *world;
   anchored.camera_from_world = seen.at(*world);
-  const glm::dmat4 world_from_camera = core::rigid_inverse(anchored.camera_from_world);
+  const glm::dmat4 world_from_camera = common::rigid_inverse(anchored.camera_from_world);
 
   // Exactly the identity for what stands on the world marker, so that it is seen not to move.
   const auto world_from_anchor = [&](const std::optional<int>& bound) -> std::optional<glm::dmat4> {

@@ -10,8 +10,8 @@
 #include <span>
 #include <vector>
 
-#include "core/pose.h"
-#include "scene/light.h"
+#include "common/pose.h"
+#include "scene/light/light.h"
 #include "scene/scene.h"
 
 namespace amalgam::scene {
@@ -30,8 +30,8 @@ struct AnchoredScene {
   bool operator==(const AnchoredScene&) const = default;
 };
 
-// Unusable poses (core::is_usable) are ignored. Without any pose that something is bound to, no
+// Unusable poses (common::is_usable) are ignored. Without any pose that something is bound to, no
 // instance is anchored.
-AnchoredScene anchor_scene(const Scene& scene, std::span<const core::MarkerPose> poses);
+AnchoredScene anchor_scene(const Scene& scene, std::span<const common::MarkerPose> poses);
 
 }  // namespace amalgam::scene

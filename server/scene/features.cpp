@@ -39,7 +39,7 @@ std::vector<Absence> describe_absences(const SceneFeatures& features) {
   absent_unless(features.has_specular, "Embree scene, trace, ray-tracing mask, real-only depth",
                 "nothing in the scene is a mirror or transparent");
   if (features.has_specular) {
-    absent_unless(features.has_transmissive, "refraction, coloured shadow attenuation",
+    absent_unless(features.has_transmissive, "refraction, colored shadow attenuation",
                   "nothing in the scene is transparent");
     absent_unless(features.has_real_specular, "difference part of the tracer",
                   "no real object is a mirror or transparent");
@@ -52,7 +52,7 @@ std::vector<Absence> describe_absences(const SceneFeatures& features) {
   absent_unless(features.has_textures, "textures and their look-ups", "no material has a texture");
   absent_unless(features.has_normal_textures, "tangents, bent normals",
                 "no material has a normal texture");
-  absent_unless(features.has_vertex_colors, "vertex colours", "no mesh has any");
+  absent_unless(features.has_vertex_colors, "vertex colors", "no mesh has any");
   absent_unless(features.has_alpha_mask, "alpha test", "no material is masked");
   absent_unless(features.has_emission, "emission", "nothing in the scene glows");
   absent_unless(features.has_environment, "environment look-ups, light extraction",

@@ -16,7 +16,7 @@ struct SceneFeatures {
   bool has_specular = false;  // mirrors or dielectrics: something to trace
   bool has_real_specular = false;
   bool has_virtual_specular = false;
-  bool has_transmissive = false;  // dielectrics: refraction, coloured shadows
+  bool has_transmissive = false;  // dielectrics: refraction, colored shadows
   bool has_diffuse = false;
   bool has_real_diffuse = false;  // something that looks up the camera image
   bool has_textures = false;      // used by a material that is used

@@ -13,7 +13,7 @@ namespace amalgam::scene {
 
 enum class MaterialKind : std::uint8_t {
   Diffuse,     // Phong (eq. 4.6); rasterised
-  Mirror,      // conductor: Schlick with F0 = base colour (eq. 4.7); traced
+  Mirror,      // conductor: Schlick with F0 = base color (eq. 4.7); traced
   Dielectric,  // glass, water: reflects and refracts (eq. 4.7, 4.8); traced
 };
 
@@ -89,7 +89,7 @@ struct PhongTerms {
   float exponent = 0.0f;  // [0, kMaxPhongExponent]
 };
 
-// Everything at the point: the material's factors times textures and vertex colour.
+// Everything at the point: the material's factors times textures and vertex color.
 PhongTerms phong_terms(const glm::vec3& base_color, float metallic, float roughness);
 // A material without a metallic-roughness texture.
 PhongTerms phong_terms(const Material& material, const glm::vec3& base_color);

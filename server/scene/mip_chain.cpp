@@ -5,21 +5,21 @@
 #include <glm/common.hpp>
 #include <glm/vec4.hpp>
 
-#include "scene/tone_map.h"
+#include "scene/light/tone_map.h"
 
 namespace amalgam::scene {
 namespace {
 
-using LinearImage = core::Image<glm::vec4>;
+using LinearImage = common::Image<glm::vec4>;
 
-LinearImage decoded(const core::ImageRgba8& texels, TexelEncoding encoding) {
+LinearImage decoded(const common::ImageRgba8& texels, TexelEncoding encoding) {
   LinearImage out(texels.width(), texels.height());
   const auto decode = [&](std::uint8_t byte) {
     return encoding == TexelEncoding::Srgb ? srgb_decode(byte) : static_cast<float>(byte) / 255.0f;
   };
   for (int y = 0; y < texels.height(); ++y) {
     for (int x = 0; x < texels.width(); ++x) {
-      const core::Rgba8& texel = texels.at(x, y);
+      const common::Rgba8& texel = texels.at(x, y);
       out.at(x, y) = {decode(texel.x), decode(texel.y), decode(texel.z),
                       static_cast<float>(texel.w) / 255.0f};
     }
@@ -31,8 +31,8 @@ std::uint8_t to_byte(float value) {
   return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255.0f));
 }
 
-core::ImageRgba8 encoded(const LinearImage& image, TexelEncoding encoding) {
-  core::ImageRgba8 out(image.width(), image.height());
+common::ImageRgba8 encoded(const LinearImage& image, TexelEncoding encoding) {
+  common::ImageRgba8 out(image.width(), image.height());
   const auto encode = [&](float value) {
     return encoding == TexelEncoding::Srgb ? srgb_encode(value) : to_byte(value);
   };
@@ -79,8 +79,9 @@ LinearImage halved(const LinearImage& image) {
 
 }  // namespace
 
-std::vector<core::ImageRgba8> make_mips(const core::ImageRgba8& texels, TexelEncoding encoding) {
-  std::vector<core::ImageRgba8> mips;
+std::vector<common::ImageRgba8> make_mips(const common::ImageRgba8& texels,
+                                          TexelEncoding encoding) {
+  std::vector<common::ImageRgba8> mips;
   LinearImage image = decoded(texels, encoding);
   while (image.width() > 1 || image.height() > 1) {
     image = halved(image);

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/image.h"
+#include "common/image.h"
 
 namespace amalgam::scene {
 
@@ -14,6 +14,6 @@ enum class TexelEncoding : std::uint8_t { Srgb, Linear };
 // Half the size each (rounded down, at least 1), down to 1x1. Every texel is the mean of the area
 // that it covers, in linear light, whatever the size is divisible by; encoded again as the texels
 // are. Alpha is linear always.
-std::vector<core::ImageRgba8> make_mips(const core::ImageRgba8& texels, TexelEncoding encoding);
+std::vector<common::ImageRgba8> make_mips(const common::ImageRgba8& texels, TexelEncoding encoding);
 
 }  // namespace amalgam::scene

@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "core/image.h"
-#include "scene/environment.h"
+#include "common/image.h"
+#include "scene/light/environment.h"
 #include "scene/material.h"
 
 namespace amalgam::scene {
@@ -24,7 +24,7 @@ namespace amalgam::scene {
 enum class Role : std::uint8_t { Real, Virtual };
 
 // One glTF primitive. Indices are in range, positions finite and normals unit by construction
-// (scene/gltf_loader): zero-area triangles are dropped, missing normals computed flat.
+// (scene/gltf/loader): zero-area triangles are dropped, missing normals computed flat.
 struct Mesh {
   std::string name;
   std::vector<glm::vec3> positions;
@@ -32,7 +32,7 @@ struct Mesh {
   // As many as positions, or none. Texture transforms are applied to the coordinates already.
   std::vector<glm::vec2> uvs;
   std::vector<glm::vec2> second_uvs;  // for textures placed in another way (Material)
-  std::vector<glm::vec4> colors;      // linear; multiply the base colour, alpha too
+  std::vector<glm::vec4> colors;      // linear; multiply the base color, alpha too
   // xyz along +u (zero where there is no telling), w = +-1: cross(normal, tangent) w is the normal
   // texture's +y. Only for materials with a normal texture.
   std::vector<glm::vec4> tangents;
@@ -50,12 +50,12 @@ inline bool has_texture(const Material& material, const Mesh& mesh, TextureSlot 
   return material.texture(slot) && !uvs_of(mesh, material, slot).empty();
 }
 
-// Colour textures are sRGB-encoded as in the file, others linear (material.h says which); alpha is
+// Color textures are sRGB-encoded as in the file, others linear (material.h says which); alpha is
 // linear. uv (0, 0) is the top left corner.
 struct Texture {
-  core::ImageRgba8 texels;
+  common::ImageRgba8 texels;
   // Half the size each, down to 1x1; encoded as the texels. Empty: there is only the full size.
-  std::vector<core::ImageRgba8> mips;
+  std::vector<common::ImageRgba8> mips;
   Wrap wrap_u = Wrap::Repeat;
   Wrap wrap_v = Wrap::Repeat;
 };
@@ -74,7 +74,7 @@ struct PunctualLight {
   enum class Kind : std::uint8_t { Directional, Point, Spot };
   std::string node;
   Kind kind = Kind::Directional;
-  glm::vec3 intensity{0.0f};                       // colour times intensity, linear
+  glm::vec3 intensity{0.0f};                       // color times intensity, linear
   float range = 0.0f;                              // metres; 0 = unlimited
   float cos_inner = 1.0f, cos_outer = 0.7071068f;  // spot cone
   glm::mat4 anchor_from_light{1.0f};               // the light shines along its -Z

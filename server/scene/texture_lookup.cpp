@@ -5,7 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "scene/tone_map.h"
+#include "scene/light/tone_map.h"
 
 namespace amalgam::scene {
 namespace {
@@ -24,13 +24,13 @@ float decode_linear(std::uint8_t byte) {
 using Decode = float (*)(std::uint8_t);
 
 template <Decode decode>
-glm::vec4 decoded(const core::Rgba8& texel) {
+glm::vec4 decoded(const common::Rgba8& texel) {
   return {decode(texel.x), decode(texel.y), decode(texel.z), decode_linear(texel.w)};
 }
 
 template <Decode decode>
 glm::vec4 sample_level(const Texture& texture, int level, const glm::vec2& uv) {
-  const core::ImageRgba8& texels =
+  const common::ImageRgba8& texels =
       level == 0 ? texture.texels : texture.mips[static_cast<std::size_t>(level - 1)];
   const int width = texels.width(), height = texels.height();
   const float x = uv.x * static_cast<float>(width) - 0.5f;

@@ -24,7 +24,7 @@ constexpr double kMinTangentShare = 1e-6;
 
 // RGBA in [0,1] at uv; (0, 0) is the top left corner of the image, texel centres at (i + 0.5) /
 // size. footprint: area in uv that one sample covers, >= 0; at 0 the full size is read.
-// Colours are decoded from sRGB before they are mixed (alpha is linear), data is linear.
+// Colors are decoded from sRGB before they are mixed (alpha is linear), data is linear.
 glm::vec4 sample_color_texture(const Texture& texture, const glm::vec2& uv, float footprint = 0.0f);
 glm::vec4 sample_data_texture(const Texture& texture, const glm::vec2& uv, float footprint = 0.0f);
 

@@ -1,4 +1,4 @@
-// Verb: the light of diffuse surfaces goes to their samples, or waits for the camera's colour.
+// Verb: the light of diffuse surfaces goes to their samples, or waits for the camera's color.
 #include "trace/tile.h"
 
 namespace amalgam::trace {

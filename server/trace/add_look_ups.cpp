@@ -4,13 +4,13 @@
 #include <cmath>
 #include <glm/common.hpp>
 
-#include "scene/tone_map.h"
+#include "scene/light/tone_map.h"
 
 namespace amalgam::trace {
 
 // In display-linear light, so that a mirror that magnifies the image shows what magnifying it
 // would.
-glm::vec3 camera_radiance(const core::ImageRgb8& image, const glm::vec2& pixel, float exposure) {
+glm::vec3 camera_radiance(const common::ImageRgb8& image, const glm::vec2& pixel, float exposure) {
   const int x0 = std::clamp(static_cast<int>(std::floor(pixel.x)), 0, image.width() - 1);
   const int y0 = std::clamp(static_cast<int>(std::floor(pixel.y)), 0, image.height() - 1);
   const int x1 = std::min(x0 + 1, image.width() - 1), y1 = std::min(y0 + 1, image.height() - 1);
@@ -21,9 +21,9 @@ glm::vec3 camera_radiance(const core::ImageRgb8& image, const glm::vec2& pixel, 
   return scene::inverse_tone_map(color, exposure);
 }
 
-// Differential rendering along the ray: the camera's own colour L, changed by what virtual objects
+// Differential rendering along the ray: the camera's own color L, changed by what virtual objects
 // change. L + (m - r) in that order, so that m = r leaves L exactly.
-void add_look_ups(TilePaths& paths, const core::ImageRgb8& image, float exposure) {
+void add_look_ups(TilePaths& paths, const common::ImageRgb8& image, float exposure) {
   for (const LookUp& look_up : paths.look_ups) {
     const glm::vec3 seen = camera_radiance(image, look_up.pixel, exposure);
     const glm::vec3& mixed = look_up.modelled_mixed;

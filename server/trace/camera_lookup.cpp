@@ -5,17 +5,17 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "core/pose.h"
-#include "trace/straight_way.h"
+#include "common/pose.h"
+#include "trace/visibility_walk.h"
 
 namespace amalgam::trace {
 namespace {
 
-// Width of the band at the image's border over which the modelled colour takes over, as a share of
+// Width of the band at the image's border over which the modelled color takes over, as a share of
 // the shorter side.
 constexpr double kFadeShare = 0.04;
 
-float border_trust(const core::CameraModel& camera, const glm::dvec2& pixel) {
+float border_trust(const common::CameraModel& camera, const glm::dvec2& pixel) {
   const double inside =
       std::min({pixel.x, pixel.y, camera.width - 1.0 - pixel.x, camera.height - 1.0 - pixel.y});
   const double band = kFadeShare * std::min(camera.width, camera.height);
@@ -27,7 +27,7 @@ float border_trust(const core::CameraModel& camera, const glm::dvec2& pixel) {
 bool is_hidden(const EmbreeScene& scene, const glm::dvec3& start, const Ray& segment) {
   if (!scene.is_occluded(segment, Visible::Real)) return false;  // the common case
   bool hidden = false;
-  walk_straight(scene, start, segment, Visible::Real, [&](const SurfacePoint& point, double) {
+  walk_visibility(scene, start, segment, Visible::Real, [&](const SurfacePoint& point, double) {
     const auto& cutoff = scene.scene().materials[point.material].alpha_cutoff;
     hidden = !cutoff || point.base_color.w >= *cutoff;
     return hidden ? std::nullopt : std::optional(Visible::Real);
@@ -38,7 +38,7 @@ bool is_hidden(const EmbreeScene& scene, const glm::dvec3& start, const Ray& seg
 }  // namespace
 
 CameraLookup::CameraLookup(const CameraView& view)
-    : view_(view), camera_in_world_(core::rigid_inverse(view.camera_from_world)[3]) {}
+    : view_(view), camera_in_world_(common::rigid_inverse(view.camera_from_world)[3]) {}
 
 std::optional<CameraPlace> CameraLookup::find(const EmbreeScene& scene, const SurfacePoint& point,
                                               std::uint64_t& lookup_rays) const {
@@ -46,7 +46,7 @@ std::optional<CameraPlace> CameraLookup::find(const EmbreeScene& scene, const Su
   if (!(glm::dot(to_camera, point.geometric_normal) > 0.0)) return std::nullopt;  // its back
 
   const glm::dvec3 in_camera(view_.camera_from_world * glm::dvec4(point.position, 1.0));
-  const auto pixel = core::project(view_.camera, in_camera);
+  const auto pixel = common::project(view_.camera, in_camera);
   if (!pixel) return std::nullopt;
   const float trust = border_trust(view_.camera, *pixel);  // 0 outside as well
   if (!(trust > 0.0f)) return std::nullopt;
@@ -69,10 +69,10 @@ std::optional<CameraPlace> CameraLookup::find(const EmbreeScene& scene, const Su
 // the image, and the point with them: next to an edge a ray decides.
 CameraLookup::DepthVerdict CameraLookup::judge_by_depth(const glm::dvec3& in_camera) const {
   if (view_.real_depth == nullptr) return DepthVerdict::Unsure;
-  const auto at = core::project(view_.ideal, in_camera);
+  const auto at = common::project(view_.ideal, in_camera);
   if (!at) return DepthVerdict::Unsure;
   const int x = static_cast<int>(std::floor(at->x)), y = static_cast<int>(std::floor(at->y));
-  const core::Image32f& depth = *view_.real_depth;
+  const common::Image32f& depth = *view_.real_depth;
   if (x < 0 || y < 0 || x + 1 >= depth.width() || y + 1 >= depth.height())
     return DepthVerdict::Unsure;
 

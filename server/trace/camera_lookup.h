@@ -10,8 +10,8 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
-#include "core/camera_model.h"
-#include "core/image.h"
+#include "common/camera_model.h"
+#include "common/image.h"
 #include "trace/embree_scene.h"
 #include "trace/surface_point.h"
 
@@ -20,15 +20,16 @@ namespace amalgam::trace {
 // The camera, and what it is known to see. The depth may be missing: then every point is decided by
 // a ray.
 struct CameraView {
-  core::CameraModel camera;  // with distortion
+  common::CameraModel camera;  // with distortion
   glm::dmat4 camera_from_world{1.0};
-  core::CameraModel ideal;                     // the camera of real_depth
-  const core::Image32f* real_depth = nullptr;  // camera-frame z of the nearest real surface, metres
+  common::CameraModel ideal;  // the camera of real_depth
+  const common::Image32f* real_depth =
+      nullptr;  // camera-frame z of the nearest real surface, metres
 };
 
 struct CameraPlace {
   glm::vec2 pixel{0.0f};  // pixel centres are integers
-  // (0, 1]: the camera's share of the colour; falls to 0 over the last few pixels before the
+  // (0, 1]: the camera's share of the color; falls to 0 over the last few pixels before the
   // image's border.
   float trust = 0.0f;
 };

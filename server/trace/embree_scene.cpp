@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/log.h"
+#include "common/log.h"
 
 namespace amalgam::trace {
 namespace {
@@ -29,7 +29,7 @@ using SceneHandle = std::unique_ptr<RTCSceneTy, SceneDeleter>;
 using Geometry = std::unique_ptr<RTCGeometryTy, GeometryDeleter>;
 
 void report_error(void*, RTCError code, const char* text) {
-  core::log_error("embree error " + std::to_string(code) + ": " + (text ? text : ""));
+  common::log_error("embree error " + std::to_string(code) + ": " + (text ? text : ""));
 }
 
 // Robust: no cracks at shared edges (numerics B11). The filter is find_all()'s.

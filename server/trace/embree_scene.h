@@ -53,7 +53,7 @@ struct PlacedInstance {
   const MeshTriangle* triangles = nullptr;  // the mesh's
   std::uint32_t material = 0;               // index into Scene::materials
   scene::Role role = scene::Role::Virtual;
-  bool textured = false;  // the material varies over the surface: textures or vertex colours
+  bool textured = false;  // the material varies over the surface: textures or vertex colors
 };
 
 // What a straight way meets. More than it has room for is not kept, but noticed.

@@ -1,4 +1,4 @@
-// Verb: where the camera sees each real surface that a ray met (section 4.4). Its colour there is
+// Verb: where the camera sees each real surface that a ray met (section 4.4). Its color there is
 // looked up when all rays are done (add_look_ups.h).
 #include "trace/tile.h"
 

@@ -21,7 +21,7 @@ double reflectance_exact(double cos_incident, double eta_incident, double eta_tr
 double reflectance(FresnelModel model, double cos_incident, double eta_incident,
                    double eta_transmitted);
 
-// Conductor: Schlick per channel with F0 the metal's base colour.
+// Conductor: Schlick per channel with F0 the metal's base color.
 glm::vec3 reflectance_conductor(const glm::vec3& f0, float cos_incident);
 
 // A thin sheet of glass: both surfaces and all bounces between them, 2R / (1 + R).

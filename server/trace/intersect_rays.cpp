@@ -1,7 +1,7 @@
 // Verb: what each ray of the batch meets first.
 #include <glm/geometric.hpp>
 
-#include "trace/hit_on_line.h"
+#include "trace/refine_hit.h"
 #include "trace/tile.h"
 
 namespace amalgam::trace {
@@ -33,7 +33,7 @@ void Tile::intersect_rays() {
     std::optional<Hit>& hit = hits_[i];
     if (!hit) continue;
     hit->t += glm::distance(item.start, glm::dvec3(item.ray.origin));
-    hit = hit_on_line(request_.scene, *hit, item.start, item.direction, Visible::Everything);
+    hit = refine_hit(request_.scene, *hit, item.start, item.direction, Visible::Everything);
   }
 }
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "trace/straight_way.h"
+#include "trace/visibility_walk.h"
 
 namespace amalgam::trace {
 namespace {
@@ -14,7 +14,7 @@ std::vector<std::uint32_t> materials_left(const EmbreeScene& scene, const glm::v
                                           const glm::vec3& direction) {
   std::vector<std::uint32_t> entered, left;
   const Ray ray{point, direction, std::numeric_limits<float>::infinity()};
-  walk_straight(
+  walk_visibility(
       scene, glm::dvec3(point), ray, Visible::Everything, [&](const SurfacePoint& met, double) {
         const scene::Material& material = scene.scene().materials[met.material];
         const bool solid = material.kind == scene::MaterialKind::Dielectric && !material.thin;

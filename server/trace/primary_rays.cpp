@@ -34,7 +34,7 @@ void Tile::add_sample(const glm::ivec2& pixel, const glm::dvec2& at, bool first_
   RayItem item;
   item.start = glm::dvec3(world_from_camera[3]);
   item.direction =
-      glm::normalize(glm::dmat3(world_from_camera) * *core::pixel_direction(request_.camera, at));
+      glm::normalize(glm::dmat3(world_from_camera) * *common::pixel_direction(request_.camera, at));
   item.ray = {glm::vec3(item.start), glm::vec3(item.direction),
               std::numeric_limits<float>::infinity()};
   item.media = context_.camera_media;

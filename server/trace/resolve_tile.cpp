@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "scene/tone_map.h"
+#include "scene/light/tone_map.h"
 
 namespace amalgam::trace {
 namespace {

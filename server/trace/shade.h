@@ -4,7 +4,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "scene/light.h"
+#include "scene/light/light.h"
 #include "scene/material.h"
 #include "trace/surface_point.h"
 

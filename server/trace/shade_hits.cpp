@@ -22,7 +22,7 @@ void Tile::shade_hits() {
         item.weight, path_length};
     const scene::Material& material = this->material(met.point.material);
     if (material.alpha_cutoff && met.point.base_color.w < *material.alpha_cutoff) {
-      pass_straight(item, met.point);
+      continue_through_cutout(item, met.point);
       continue;
     }
     if (const auto medium = item.media.innermost()) {  // Beer-Lambert on the way here
@@ -51,7 +51,7 @@ void Tile::count_primary(const SurfacePoint& point, const scene::Material& mater
 
 // Masked-out texels are not there. No surface was met, so the line goes on from where it started,
 // with its depth and weight; each step moves on along it, so this ends.
-void Tile::pass_straight(const RayItem& item, const SurfacePoint& point) {
+void Tile::continue_through_cutout(const RayItem& item, const SurfacePoint& point) {
   RayItem next = item;
   next.ray.origin = point.ray_origin(item.direction);
   waiting_.push_back(next);

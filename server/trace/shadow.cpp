@@ -9,7 +9,7 @@
 #include <tuple>
 
 #include "trace/fresnel.h"
-#include "trace/hit_on_line.h"
+#include "trace/refine_hit.h"
 #include "trace/surface_point.h"
 
 namespace amalgam::trace {

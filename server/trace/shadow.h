@@ -9,7 +9,7 @@ namespace amalgam::trace {
 
 // start: the point in question; the ray lies on the line from there to the light and may begin a
 // little later, off the surface. The light goes straight through transmissive surfaces. Glass takes
-// 1 - Schlick at each of them, its base colour, and Beer-Lambert absorption between them
+// 1 - Schlick at each of them, its base color, and Beer-Lambert absorption between them
 // (trace/fresnel.h). More surfaces than `surfaces` has room for count as opaque.
 // surfaces: room for what the way meets, so that it need not be made for each ray.
 ShadowAttenuation trace_shadow(const EmbreeScene& scene, const glm::dvec3& start, const Ray& ray,

@@ -1,4 +1,4 @@
-// What a hit surface's textures and vertex colours say: the material as it is at one point.
+// What a hit surface's textures and vertex colors say: the material as it is at one point.
 //
 // shaders/surface_material.glsl says the same for the rasteriser.
 #pragma once

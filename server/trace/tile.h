@@ -55,7 +55,7 @@ class Tile {
   void scatter_thin(const RayItem& item, const MetSurface& met, const glm::dvec3& normal);
   void scatter_solid(const RayItem& item, const MetSurface& met, const glm::dvec3& normal);
   void scatter_back(const RayItem& item, const MetSurface& met, float k_s);
-  void pass_straight(const RayItem& item, const SurfacePoint& point);
+  void continue_through_cutout(const RayItem& item, const SurfacePoint& point);
   void spawn(const RayItem& parent, const MetSurface& met, const glm::dvec3& direction,
              const glm::vec3& weight, RayKind kind, const Media& media);
   void add_provenance(std::uint32_t sample, core::LightSource source, float share);

@@ -1,5 +1,5 @@
-// What the rays of one tile found, apart from the camera's colours: while nothing moves, these stay
-// as they are and only the colours are looked up again.
+// What the rays of one tile found, apart from the camera's colors: while nothing moves, these stay
+// as they are and only the colors are looked up again.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ struct SampleResult {
   bool first_of_pixel = false;
 };
 
-// A real surface at the end of a ray, of which the camera sees the colour.
+// A real surface at the end of a ray, of which the camera sees the color.
 struct LookUp {
   glm::vec3 weight{0.0f};          // share of the sample's light
   std::uint32_t sample = 0;        // index into TilePaths::samples

@@ -7,13 +7,13 @@
 #include <span>
 #include <vector>
 
-#include "core/camera_model.h"
-#include "core/image.h"
+#include "common/camera_model.h"
+#include "common/image.h"
 #include "core/layers.h"
 #include "core/provenance.h"
 #include "core/ray_counts.h"
-#include "scene/environment.h"
-#include "scene/light.h"
+#include "scene/light/environment.h"
+#include "scene/light/light.h"
 #include "trace/camera_lookup.h"
 #include "trace/embree_scene.h"
 #include "trace/fresnel.h"
@@ -36,13 +36,13 @@ struct TraceRequest {
   const EmbreeScene& scene;
   std::span<const scene::Light> lights;
   const scene::Environment* environment = nullptr;  // null: nothing is black
-  core::CameraModel camera;                         // pinhole; primary rays go through its pixels
+  common::CameraModel camera;                       // pinhole; primary rays go through its pixels
   glm::dmat4 camera_from_world{1.0};
   int samples_per_side =
       1;  // n: sample (i, j) of pixel (x, y) lies at x - 0.5 + (i + 0.5) / n, y likewise
 
   // Size camera * n; a sample is traced where (value & mask_bit) != 0. Null: every sample is.
-  const core::Image<std::uint8_t>* mask = nullptr;
+  const common::Image<std::uint8_t>* mask = nullptr;
   std::uint8_t mask_bit = 0;
 
   // Null: shadow rays are all the answer there is.
@@ -51,7 +51,7 @@ struct TraceRequest {
   // Null: real surfaces are seen as they are modelled.
   const CameraView* lookup = nullptr;
   // Goes with lookup; as large as its camera.
-  const core::ImageRgb8* camera_image = nullptr;
+  const common::ImageRgb8* camera_image = nullptr;
   float exposure = 1.0f;
   TraceSettings settings{};
   bool keep_images = false;
@@ -63,11 +63,11 @@ struct TraceRequest {
 
 // The buffers of the thesis, from the first sample of each traced pixel; 0 elsewhere.
 struct TracedImages {
-  core::ImageRgb32f mixed;  // I_m, scene-linear
-  core::ImageRgba32f
+  common::ImageRgb32f mixed;  // I_m, scene-linear
+  common::ImageRgba32f
       real;  // I_r, scene-linear; alpha 1 where the camera sees a real diffuse surface directly
-  core::ImageRgb32f environment_reflection;  // I_e, display-linear
-  core::Image<std::uint8_t> met_virtual;     // M_v
+  common::ImageRgb32f environment_reflection;  // I_e, display-linear
+  common::Image<std::uint8_t> met_virtual;     // M_v
 };
 
 struct TraceResult {

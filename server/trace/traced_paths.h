@@ -1,6 +1,6 @@
 // The paths of a whole frame, kept so that the next frame need not trace them again.
 //
-// They hold as long as camera, objects, lights, environment and settings are the same. Colours of
+// They hold as long as camera, objects, lights, environment and settings are the same. Colors of
 // the camera image and the exposure are not in them.
 #pragma once
 

@@ -7,8 +7,8 @@
 #include <limits>
 #include <vector>
 
-#include "core/log.h"
-#include "core/pose.h"
+#include "common/log.h"
+#include "common/pose.h"
 #include "trace/add_look_ups.h"
 #include "trace/media_at.h"
 #include "trace/resolve_tile.h"
@@ -22,9 +22,9 @@ TraceResult empty_result(const TraceRequest& request) {
   TraceResult result;
   result.layers = core::Layers({width, height});
   if (request.keep_images) {
-    result.images =
-        TracedImages{core::ImageRgb32f(width, height), core::ImageRgba32f(width, height),
-                     core::ImageRgb32f(width, height), core::Image<std::uint8_t>(width, height)};
+    result.images = TracedImages{
+        common::ImageRgb32f(width, height), common::ImageRgba32f(width, height),
+        common::ImageRgb32f(width, height), common::Image<std::uint8_t>(width, height)};
   }
   if (request.keep_provenance) result.provenance.emplace(width, height);
   return result;
@@ -69,7 +69,7 @@ TraceResult trace(const TraceRequest& request) {
   TraceResult result = empty_result(request);
   std::optional<CameraLookup> lookup;
   if (request.lookup != nullptr) lookup.emplace(*request.lookup);
-  const glm::dmat4 world_from_camera = core::rigid_inverse(request.camera_from_world);
+  const glm::dmat4 world_from_camera = common::rigid_inverse(request.camera_from_world);
   const TileContext context{request, lookup ? &*lookup : nullptr,
                             media_at(request.scene, glm::vec3(world_from_camera[3])),
                             world_from_camera};
@@ -101,7 +101,7 @@ TraceResult trace(const TraceRequest& request) {
   return result;
 }
 
-TraceResult look_up_again(const TracedPaths& paths, const core::ImageRgb8& camera_image,
+TraceResult look_up_again(const TracedPaths& paths, const common::ImageRgb8& camera_image,
                           float exposure) {
   TraceResult result;
   result.layers = core::Layers(paths.size);

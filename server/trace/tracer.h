@@ -14,7 +14,7 @@ TraceResult trace(const TraceRequest& request);
 
 // The same result, to the bit, as tracing again where only the camera image and the exposure have
 // changed since the paths were kept. No ray is cast. Images and provenance are not made.
-TraceResult look_up_again(const TracedPaths& paths, const core::ImageRgb8& camera_image,
+TraceResult look_up_again(const TracedPaths& paths, const common::ImageRgb8& camera_image,
                           float exposure);
 
 }  // namespace amalgam::trace

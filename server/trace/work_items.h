@@ -1,6 +1,6 @@
 // What flows between the verbs of the tracer: declared here, before any of them.
 //
-// All colours are scene-linear unless they say display-linear. "Sample" is an index into the tile's
+// All colors are scene-linear unless they say display-linear. "Sample" is an index into the tile's
 // SampleResults (tile_paths.h).
 #pragma once
 
@@ -56,7 +56,7 @@ struct EscapedItem {
   std::uint32_t sample = 0;
 };
 
-// Which colour a real diffuse surface has.
+// Which color a real diffuse surface has.
 enum class RealColor : std::uint8_t {
   LookedUp,    // that of the camera image, where the camera sees it
   UnderPixel,  // seen directly: as it is modelled, and the composite puts the difference on the

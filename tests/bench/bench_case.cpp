@@ -5,7 +5,7 @@
 #include "client/synthetic_camera.h"
 #include "codec/jpeg.h"
 #include "frame/default_view.h"
-#include "scene/gltf_loader.h"
+#include "scene/gltf/loader.h"
 
 namespace amalgam::bench {
 namespace {
@@ -22,11 +22,11 @@ std::shared_ptr<const client::SyntheticDesk> desk() {
 
 }  // namespace
 
-core::MarkerPose bunny_pose() {
+common::MarkerPose bunny_pose() {
   return {kMarker, glm::dquat(0.3826834324, 0.9238795325, 0.0, 0.0), {0.0, 0.035, 0.16}};
 }
 
-void set_pose(BenchCase& bench_case, const core::MarkerPose& pose) {
+void set_pose(BenchCase& bench_case, const common::MarkerPose& pose) {
   const client::SyntheticCamera camera(bench_case.camera, desk());
   bench_case.input = {codec::encode_jpeg(camera.render(pose), kCameraJpegQuality), {pose}};
 }
@@ -41,7 +41,7 @@ BenchCase BenchScenes::load(const std::string& name, const std::string& file, in
                        " is not there: deploy/fetch_assets.sh bunny makes the bunnies");
   }
   result.scene = scene::load_scene(result.scene_path);
-  result.camera = core::default_camera(width, height);
+  result.camera = common::default_camera(width, height);
   return result;
 }
 

@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/camera_model.h"
-#include "core/pose.h"
+#include "common/camera_model.h"
+#include "common/pose.h"
 #include "frame/frame.h"
 #include "scene/scene.h"
 
@@ -23,12 +23,12 @@ struct BenchCase {
   std::string name;  // "glass bunny 1280x1024"
   std::filesystem::path scene_path;
   scene::Scene scene;
-  core::CameraModel camera;  // 60 degrees wide
-  frame::FrameInput input;   // the synthetic desk as a JPEG, and the pose that it is seen from
+  common::CameraModel camera;  // 60 degrees wide
+  frame::FrameInput input;     // the synthetic desk as a JPEG, and the pose that it is seen from
 };
 
 // The pose that bunnies are seen from: they cover 12 to 13 % of the picture.
-core::MarkerPose bunny_pose();
+common::MarkerPose bunny_pose();
 
 class BenchScenes {
  public:
@@ -47,6 +47,6 @@ class BenchScenes {
 };
 
 // The case from another pose, with the desk's picture as seen from there.
-void set_pose(BenchCase& bench_case, const core::MarkerPose& pose);
+void set_pose(BenchCase& bench_case, const common::MarkerPose& pose);
 
 }  // namespace amalgam::bench

@@ -5,8 +5,8 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "core/build_info.h"
-#include "tools/renderer_options.h"
+#include "common/build_info.h"
+#include "server/renderer_options.h"
 
 namespace amalgam::bench {
 namespace {
@@ -31,7 +31,7 @@ std::optional<BenchOptions> parse_bench_options(int argc, char** argv) {
   options.scenes = std::filesystem::path(tools::default_scene_path()).parent_path().string();
   CLI::App app("Measures Amalgam: its goals, or single hot functions.", "amalgam-bench");
   app.footer(kFooter);
-  app.set_version_flag("--version", core::version_line("amalgam-bench"));
+  app.set_version_flag("--version", common::version_line("amalgam-bench"));
   app.add_flag("--goals", options.goals, "measure the goals and print a line for each");
   app.add_flag("--json", options.json, "print one JSON object instead (with --goals)");
   app.add_flag("--list", options.list, "print the names of goals and benchmarks");

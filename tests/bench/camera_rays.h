@@ -4,13 +4,13 @@
 #include <glm/mat4x4.hpp>
 #include <vector>
 
-#include "core/camera_model.h"
+#include "common/camera_model.h"
 #include "trace/embree_scene.h"
 
 namespace amalgam::bench {
 
 // The camera must have no distortion.
-std::vector<trace::Ray> camera_rays(const core::CameraModel& camera,
+std::vector<trace::Ray> camera_rays(const common::CameraModel& camera,
                                     const glm::dmat4& camera_from_world);
 
 }  // namespace amalgam::bench

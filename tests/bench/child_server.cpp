@@ -14,12 +14,12 @@ namespace {
 constexpr std::chrono::seconds kStart{60}, kEnd{15};
 
 // "listening on 127.0.0.1:40123 admin 127.0.0.1:40124"
-net::HostPort read_address(tests::ChildProcess& process) {
+common::HostPort read_address(tests::ChildProcess& process) {
   std::istringstream line(process.read_line(kStart));
   std::string listening, on, address;
   if (!(line >> listening >> on >> address))
     throw std::runtime_error("amalgam-server did not start");
-  return net::parse_host_port(address);
+  return common::parse_host_port(address);
 }
 
 }  // namespace

@@ -20,12 +20,12 @@ class ChildServer {
   explicit ChildServer(const std::filesystem::path& scene);
   ~ChildServer();
 
-  const net::HostPort& address() const { return address_; }
+  const common::HostPort& address() const { return address_; }
   double resident_megabytes() const;  // 10^6 bytes
 
  private:
   std::unique_ptr<tests::ChildProcess> process_;
-  net::HostPort address_;
+  common::HostPort address_;
 };
 
 }  // namespace amalgam::bench

@@ -12,7 +12,7 @@
 #include "bench/micro/micro_benchmarks.h"
 #include "bench/progress.h"
 #include "bench/two_cores.h"
-#include "core/log.h"
+#include "common/log.h"
 
 namespace amalgam::bench {
 namespace {
@@ -39,7 +39,7 @@ bool has_failed(const GoalLine& line) {
 void run_goals(const BenchOptions& options) {
   check_names(options.only);
   const int cores = keep_to_two_cores();
-  core::set_log_level("warn");
+  common::set_log_level("warn");
   GoalBench bench(options.scenes, cores);
   if (!options.json) print_head(std::cout, cores);
   GoalReport report{.cores = cores, .lines = {}, .thesis = {}};

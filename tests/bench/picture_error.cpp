@@ -8,16 +8,16 @@
 namespace amalgam::bench {
 namespace {
 
-cv::Mat as_grey(const core::ImageRgb8& image) {
+cv::Mat as_grey(const common::ImageRgb8& image) {
   // OpenCV takes no constant data; it is not written to.
-  auto* bytes = const_cast<core::Rgb8*>(image.data());
+  auto* bytes = const_cast<common::Rgb8*>(image.data());
   const cv::Mat rgb(image.height(), image.width(), CV_8UC3, bytes);
   cv::Mat grey;
   cv::cvtColor(rgb, grey, cv::COLOR_RGB2GRAY);
   return grey;
 }
 
-void check_sizes(const core::ImageRgb8& a, const core::ImageRgb8& b) {
+void check_sizes(const common::ImageRgb8& a, const common::ImageRgb8& b) {
   if (a.size() != b.size() || a.empty()) {
     throw std::invalid_argument("pictures of different sizes cannot be compared");
   }
@@ -25,7 +25,7 @@ void check_sizes(const core::ImageRgb8& a, const core::ImageRgb8& b) {
 
 }  // namespace
 
-double mean_difference(const core::ImageRgb8& a, const core::ImageRgb8& b) {
+double mean_difference(const common::ImageRgb8& a, const common::ImageRgb8& b) {
   check_sizes(a, b);
   const auto first = a.pixels(), second = b.pixels();
   std::int64_t sum = 0;
@@ -35,7 +35,7 @@ double mean_difference(const core::ImageRgb8& a, const core::ImageRgb8& b) {
   return static_cast<double>(sum) / (3.0 * static_cast<double>(first.size()));
 }
 
-double ssim(const core::ImageRgb8& a, const core::ImageRgb8& b) {
+double ssim(const common::ImageRgb8& a, const common::ImageRgb8& b) {
   check_sizes(a, b);
   return cv::quality::QualitySSIM::compute(as_grey(a), as_grey(b), cv::noArray())[0];
 }

@@ -16,7 +16,7 @@ namespace {
 // A glass ball over a real floor.
 BenchCase make_case() {
   BenchCase result;
-  result.camera = core::default_camera(60, 44);
+  result.camera = common::default_camera(60, 44);
   result.scene.world.marker = 40;
   test_support::add_object(result.scene, test_support::make_floor(0.0f, 0.06f),
                            test_support::make_diffuse(glm::vec3(0.5f)), scene::Role::Real);

@@ -16,7 +16,7 @@ class SceneServer {
   SceneServer(const std::filesystem::path& scene, const frame::RendererSettings& settings);
   ~SceneServer();
 
-  net::HostPort address() const { return server_.address(); }
+  common::HostPort address() const { return server_.address(); }
 
  private:
   std::unique_ptr<frame::FrameService> service_;  // outlives the server, which uses it

@@ -7,7 +7,7 @@
 namespace amalgam::bench {
 namespace {
 
-protocol::Envelope hello_with(const core::CameraModel& model) {
+protocol::Envelope hello_with(const common::CameraModel& model) {
   protocol::Envelope envelope = test::hello_message();
   protocol::Camera& camera = *envelope.mutable_hello()->mutable_camera();
   camera.set_width(static_cast<std::uint32_t>(model.width));
@@ -23,7 +23,7 @@ protocol::Envelope frame_with(const frame::FrameInput& input) {
   const auto& jpeg = std::get<frame::Bytes>(input.image);
   protocol::Envelope envelope =
       test::frame_message(0, {reinterpret_cast<const char*>(jpeg.data()), jpeg.size()});
-  for (const core::MarkerPose& from : input.poses) {
+  for (const common::MarkerPose& from : input.poses) {
     protocol::Pose& pose = *envelope.mutable_camera_frame()->add_poses();
     pose.set_marker(from.marker);
     pose.mutable_rotation()->set_x(from.rotation.x);
@@ -39,7 +39,7 @@ protocol::Envelope frame_with(const frame::FrameInput& input) {
 
 }  // namespace
 
-Session::Session(const net::HostPort& server, const BenchCase& bench_case)
+Session::Session(const common::HostPort& server, const BenchCase& bench_case)
     : case_(bench_case), client_(server), frame_(frame_with(bench_case.input)) {
   client_.send(hello_with(case_.camera));
   client_.expect(protocol::Envelope::kWelcome);

@@ -12,7 +12,7 @@ class Session {
  public:
   // Says hello with the case's camera. The case must outlive the session. Throws
   // std::runtime_error.
-  Session(const net::HostPort& server, const BenchCase& bench_case);
+  Session(const common::HostPort& server, const BenchCase& bench_case);
 
   // Sends a frame and waits for its composite; the time that took.
   double round_trip_milliseconds();

@@ -4,7 +4,7 @@
 
 namespace amalgam::bench {
 
-StreamingSession::StreamingSession(const net::HostPort& server, const BenchCase& bench_case)
+StreamingSession::StreamingSession(const common::HostPort& server, const BenchCase& bench_case)
     : session_(server, bench_case) {}
 
 void StreamingSession::stream(const std::stop_token& stop) {

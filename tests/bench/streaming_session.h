@@ -13,7 +13,7 @@ namespace amalgam::bench {
 class StreamingSession {
  public:
   // The case must outlive it. Throws std::runtime_error.
-  StreamingSession(const net::HostPort& server, const BenchCase& bench_case);
+  StreamingSession(const common::HostPort& server, const BenchCase& bench_case);
 
   // Until so many composites have come. Throws what ended the session, if something did.
   void wait_for(int composites) const;

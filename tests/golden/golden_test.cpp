@@ -15,7 +15,7 @@
 #include "codec/exr.h"
 #include "frame/default_view.h"
 #include "frame/frame_renderer.h"
-#include "scene/gltf_loader.h"
+#include "scene/gltf/loader.h"
 #include "support/compare_images.h"
 
 namespace amalgam {
@@ -30,19 +30,19 @@ bool refresh() {
   return std::getenv("AMALGAM_REFRESH_GOLDENS") != nullptr;
 }
 
-core::ImageRgb8 camera_image() {
-  core::ImageRgb8 image(kWidth, kHeight);
+common::ImageRgb8 camera_image() {
+  common::ImageRgb8 image(kWidth, kHeight);
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x) {
-      image.at(x, y) = core::Rgb8(100 + 2 * x, 220 - 2 * y, (x / 6 + y / 6) % 2 == 0 ? 90 : 160);
+      image.at(x, y) = common::Rgb8(100 + 2 * x, 220 - 2 * y, (x / 6 + y / 6) % 2 == 0 ? 90 : 160);
     }
   }
   return image;
 }
 
 // Infinite depth becomes 0.
-core::ImageRgb32f as_grey(const core::Image32f& values) {
-  core::ImageRgb32f image(values.width(), values.height());
+common::ImageRgb32f as_grey(const common::Image32f& values) {
+  common::ImageRgb32f image(values.width(), values.height());
   for (std::size_t i = 0; i < values.pixels().size(); ++i) {
     const float value = values.pixels()[i];
     image.pixels()[i] = glm::vec3(std::isfinite(value) ? value : 0.0f);
@@ -50,24 +50,24 @@ core::ImageRgb32f as_grey(const core::Image32f& values) {
   return image;
 }
 
-// A buffer as colours, and its alpha or channels, if it has any, as others.
-std::map<std::string, core::ImageRgb32f> as_colors(const frame::FrameBuffers& buffers) {
-  std::map<std::string, core::ImageRgb32f> colors;
+// A buffer as colors, and its alpha or channels, if it has any, as others.
+std::map<std::string, common::ImageRgb32f> as_colors(const frame::FrameBuffers& buffers) {
+  std::map<std::string, common::ImageRgb32f> colors;
   for (const auto& [name, buffer] : buffers) {
-    if (const auto* rgb = std::get_if<core::ImageRgb32f>(&buffer)) {
+    if (const auto* rgb = std::get_if<common::ImageRgb32f>(&buffer)) {
       // A reflection of the sun is a hundred times as bright as all else: moved by a thousandth of
       // a pixel it would outweigh the picture.
       constexpr float kWhite = 4.0f;
       colors[name] = *rgb;
       for (glm::vec3& color : colors[name].pixels()) color = glm::min(color, glm::vec3(kWhite));
-    } else if (const auto* grey = std::get_if<core::Image32f>(&buffer)) {
+    } else if (const auto* grey = std::get_if<common::Image32f>(&buffer)) {
       colors[name] = as_grey(*grey);
     } else if (const auto* channels = std::get_if<frame::Channels>(&buffer)) {
       for (const auto& [channel, values] : *channels)
         colors[name + "_" + channel] = as_grey(values);
     } else {
-      const auto& rgba = std::get<core::ImageRgba32f>(buffer);
-      core::ImageRgb32f color(rgba.width(), rgba.height()), alpha(rgba.width(), rgba.height());
+      const auto& rgba = std::get<common::ImageRgba32f>(buffer);
+      common::ImageRgb32f color(rgba.width(), rgba.height()), alpha(rgba.width(), rgba.height());
       for (std::size_t i = 0; i < rgba.pixels().size(); ++i) {
         color.pixels()[i] = glm::vec3(rgba.pixels()[i]);
         alpha.pixels()[i] = glm::vec3(rgba.pixels()[i].w);
@@ -105,7 +105,7 @@ TEST_P(Golden, BuffersAndPassListsAreTheSame) {
   settings.exposure = 0.5f;
   frame::FrameRenderer renderer(
       scene::load_scene(AMALGAM_SOURCE_DIR "/deploy/scenes/" + name + ".gltf"), settings);
-  frame::ViewState view({.camera = core::default_camera(kWidth, kHeight), .keep_pixels = true});
+  frame::ViewState view({.camera = common::default_camera(kWidth, kHeight), .keep_pixels = true});
   const frame::FrameInput input{camera_image(),
                                 {frame::default_pose(renderer.scene().world.marker)}};
   frame::FrameBuffers buffers;

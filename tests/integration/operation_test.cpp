@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "core/build_info.h"
+#include "common/build_info.h"
 #include "support/net/test_server.h"
 
 namespace amalgam::test {
@@ -33,8 +33,8 @@ TEST(Operation, AdminPagesOfAServerAtWork) {
 
   const auto state = nlohmann::json::parse(server.admin("/state").body);
   EXPECT_EQ(state["ready"], true);
-  EXPECT_EQ(state["version"], core::version());
-  EXPECT_EQ(state["instruction_set"], core::instruction_set());
+  EXPECT_EQ(state["version"], common::version());
+  EXPECT_EQ(state["instruction_set"], common::instruction_set());
   ASSERT_EQ(state["sessions"].size(), 1u);
   EXPECT_EQ(state["sessions"][0]["width"], 640);
   EXPECT_EQ(state["sessions"][0]["frames_received"], 1);

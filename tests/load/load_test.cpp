@@ -4,7 +4,7 @@
 #include <boost/asio/io_context.hpp>
 #include <memory>
 
-#include "load_client.h"
+#include "client/tools/load/load_client.h"
 #include "support/net/test_server.h"
 
 namespace amalgam::load {

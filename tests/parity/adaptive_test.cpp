@@ -21,13 +21,13 @@ constexpr double kTolerance = 2e-3;
 constexpr double kMostGrazing = 9 * 0.002;
 
 struct LayerImages {
-  const core::ImageRgba32f& over;
-  const core::ImageRgb32f& difference;
+  const common::ImageRgba32f& over;
+  const common::ImageRgb32f& difference;
 };
 
 LayerImages layers_of(const Rendering& rendering) {
-  return {std::get<core::ImageRgba32f>(rendering.buffers.at("over")),
-          std::get<core::ImageRgb32f>(rendering.buffers.at("difference"))};
+  return {std::get<common::ImageRgba32f>(rendering.buffers.at("over")),
+          std::get<common::ImageRgb32f>(rendering.buffers.at("difference"))};
 }
 
 double layer_error(const LayerImages& actual, const reference::Layers& expected, int x, int y) {

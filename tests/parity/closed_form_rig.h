@@ -33,7 +33,7 @@ struct ClosedFormRig {
 
   // Light of this radiance from everywhere.
   void set_environment(const glm::vec3& radiance, bool low_dynamic_range = false) {
-    scene.environment = scene::Environment{core::ImageRgb32f(8, 4, radiance), low_dynamic_range};
+    scene.environment = scene::Environment{common::ImageRgb32f(8, 4, radiance), low_dynamic_range};
   }
 
   scene::AnchoredScene anchored() const {
@@ -67,9 +67,9 @@ struct ClosedFormRig {
 };
 
 // Of one texel; returns its index.
-inline std::uint32_t add_texture(scene::Scene& scene, const core::Rgba8& texel) {
+inline std::uint32_t add_texture(scene::Scene& scene, const common::Rgba8& texel) {
   scene::Texture texture;
-  texture.texels = core::ImageRgba8(1, 1, texel);
+  texture.texels = common::ImageRgba8(1, 1, texel);
   scene.textures.push_back(std::move(texture));
   return static_cast<std::uint32_t>(scene.textures.size() - 1);
 }

@@ -13,7 +13,7 @@ namespace {
 const Tolerance kNone = {0.0, 0.0, "the same image"};
 
 TEST(CompareImages, SameImagesHaveNoDifference) {
-  const core::ImageRgb32f image(3, 2, glm::vec3(0.5f));
+  const common::ImageRgb32f image(3, 2, glm::vec3(0.5f));
   const ImageComparison comparison = compare_images(image, image);
   EXPECT_TRUE(comparison.within(kNone));
   EXPECT_EQ(comparison.compared, 6u);
@@ -21,8 +21,8 @@ TEST(CompareImages, SameImagesHaveNoDifference) {
 }
 
 TEST(CompareImages, FindsTheWorstPixelAndTheMean) {
-  const core::ImageRgb32f expected(4, 2, glm::vec3(2.0f));
-  core::ImageRgb32f actual = expected;
+  const common::ImageRgb32f expected(4, 2, glm::vec3(2.0f));
+  common::ImageRgb32f actual = expected;
   actual.at(1, 1) = {2.0f, 1.5f, 2.25f};
   actual.at(3, 0) = {2.0f, 2.0f, 2.25f};
   const ImageComparison absolute = compare_images(actual, expected);
@@ -37,10 +37,10 @@ TEST(CompareImages, FindsTheWorstPixelAndTheMean) {
 }
 
 TEST(CompareImages, LeavesOutWhatIsNotIncluded) {
-  const core::ImageRgb32f expected(2, 1, glm::vec3(0.0f));
-  core::ImageRgb32f actual = expected;
+  const common::ImageRgb32f expected(2, 1, glm::vec3(0.0f));
+  common::ImageRgb32f actual = expected;
   actual.at(0, 0) = glm::vec3(9.0f);
-  core::Image<std::uint8_t> include(2, 1, 1);
+  common::Image<std::uint8_t> include(2, 1, 1);
   include.at(0, 0) = 0;
   const ImageComparison comparison = compare_images(actual, expected, {.include = &include});
   EXPECT_TRUE(comparison.within(kNone));
@@ -50,9 +50,9 @@ TEST(CompareImages, LeavesOutWhatIsNotIncluded) {
 TEST(CompareImages, NotANumberCannotHide) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float infinity = std::numeric_limits<float>::infinity();
-  const core::ImageRgb32f good(2, 2, glm::vec3(1.0f));
+  const common::ImageRgb32f good(2, 2, glm::vec3(1.0f));
   for (const float bad : {nan, infinity, -infinity}) {
-    core::ImageRgb32f image = good;
+    common::ImageRgb32f image = good;
     image.at(1, 0).g = bad;
     const Tolerance generous = {1e30, 1e30, "everything finite"};
     EXPECT_FALSE(compare_images(image, good).within(generous));
@@ -65,7 +65,7 @@ TEST(CompareImages, WritesWhatFailed) {
   const std::filesystem::path folder =
       std::filesystem::temp_directory_path() / "amalgam-compare-images-test";
   std::filesystem::remove_all(folder);
-  const core::ImageRgb32f black(2, 2, glm::vec3(0.0f)), white(2, 2, glm::vec3(1.0f));
+  const common::ImageRgb32f black(2, 2, glm::vec3(0.0f)), white(2, 2, glm::vec3(1.0f));
   EXPECT_EQ(check_images("same", white, white, kNone, folder), "");
   EXPECT_FALSE(std::filesystem::exists(folder));
   const std::string text = check_images("other", white, black, kNone, folder);
@@ -79,7 +79,7 @@ TEST(CompareImages, WritesWhatFailed) {
 }
 
 TEST(CompareImages, RefusesDifferentSizes) {
-  EXPECT_THROW(compare_images(core::ImageRgb32f(2, 2), core::ImageRgb32f(2, 3)),
+  EXPECT_THROW(compare_images(common::ImageRgb32f(2, 2), common::ImageRgb32f(2, 3)),
                std::invalid_argument);
 }
 

@@ -13,7 +13,7 @@ using namespace test_support;
 
 scene::Texture make_checker() {
   scene::Texture texture;
-  texture.texels = core::ImageRgba8(8, 8);
+  texture.texels = common::ImageRgba8(8, 8);
   texture.wrap_u = scene::Wrap::Mirror;
   texture.wrap_v = scene::Wrap::Clamp;
   for (int y = 0; y < 8; ++y) {
@@ -27,7 +27,7 @@ scene::Texture make_checker() {
 
 // Soft, so that what is compared is not the map's own texels magnified.
 scene::Environment make_low_dynamic_range_map() {
-  scene::Environment map{core::ImageRgb32f(16, 8), true};
+  scene::Environment map{common::ImageRgb32f(16, 8), true};
   for (int y = 0; y < 8; ++y) {
     for (int x = 0; x < 16; ++x) {
       const float u = static_cast<float>(x < 8 ? x : 16 - x) / 8.0f;

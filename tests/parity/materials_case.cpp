@@ -24,7 +24,7 @@ template <typename Texel>
 std::uint32_t add_texture(scene::Scene& scene, glm::ivec2 size, scene::TexelEncoding encoding,
                           const Texel& texel) {
   scene::Texture texture;
-  texture.texels = core::ImageRgba8(size.x, size.y);
+  texture.texels = common::ImageRgba8(size.x, size.y);
   for (int y = 0; y < size.y; ++y) {
     for (int x = 0; x < size.x; ++x) {
       const glm::dvec4 value = texel((x + 0.5) / size.x, (y + 0.5) / size.y);
@@ -175,7 +175,7 @@ ParityCase make_materials_case() {
   add_diffuse_objects(scene, textures);
   add_specular_objects(scene, textures);
 
-  scene.environment = scene::Environment{core::ImageRgb32f(16, 8), false};
+  scene.environment = scene::Environment{common::ImageRgb32f(16, 8), false};
   for (int y = 0; y < 8; ++y) {
     for (int x = 0; x < 16; ++x) {
       const float u = static_cast<float>(wave(x / 16.0, 1.0));

@@ -1,6 +1,6 @@
 // A made-up scene of everything that textures and vertices can say of a material: all kinds of
 // textures with their smaller sizes, both sets of coordinates, tangents on stretched and mirrored
-// instances, vertex colours, glass that lets a part through.
+// instances, vertex colors, glass that lets a part through.
 #pragma once
 
 #include "parity/parity_case.h"

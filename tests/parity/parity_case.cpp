@@ -7,7 +7,7 @@
 #include <set>
 
 #include "scene/anchored_scene.h"
-#include "scene/gltf_loader.h"
+#include "scene/gltf/loader.h"
 #include "support/scene_builders.h"
 
 namespace amalgam::parity {
@@ -17,8 +17,8 @@ std::uint8_t to_byte(double value) {
   return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
 }
 
-core::ImageRgb8 make_camera_image(int width, int height) {
-  core::ImageRgb8 image(width, height);
+common::ImageRgb8 make_camera_image(int width, int height) {
+  common::ImageRgb8 image(width, height);
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       const double u = (x + 0.5) / width, v = (y + 0.5) / height;
@@ -31,11 +31,11 @@ core::ImageRgb8 make_camera_image(int width, int height) {
 }
 
 // world_from_marker in glTF's axes.
-core::MarkerPose make_pose(int marker, const glm::dmat4& world_from_marker) {
+common::MarkerPose make_pose(int marker, const glm::dmat4& world_from_marker) {
   const glm::dmat4 camera_from_world =
       test_support::look_at({0.03, 0.27, 0.24}, {-0.005, 0.015, -0.08});
-  const glm::dmat4 camera_from_marker =
-      camera_from_world * world_from_marker * core::rigid_inverse(core::opencv_marker_from_gltf());
+  const glm::dmat4 camera_from_marker = camera_from_world * world_from_marker *
+                                        common::rigid_inverse(common::opencv_marker_from_gltf());
   return {marker, glm::quat_cast(camera_from_marker), glm::dvec3(camera_from_marker[3])};
 }
 

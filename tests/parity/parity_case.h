@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "core/camera_model.h"
-#include "core/image.h"
-#include "core/pose.h"
-#include "scene/env_lights.h"
+#include "common/camera_model.h"
+#include "common/image.h"
+#include "common/pose.h"
+#include "scene/light/env_lights.h"
 #include "scene/scene.h"
 #include "support/reference/reference_renderer.h"
 
@@ -17,9 +17,9 @@ namespace amalgam::parity {
 struct ParityCase {
   std::string name;  // "complex 160x120"
   scene::Scene scene;
-  core::CameraModel camera;
-  core::ImageRgb8 camera_image;
-  std::vector<core::MarkerPose> poses;
+  common::CameraModel camera;
+  common::ImageRgb8 camera_image;
+  std::vector<common::MarkerPose> poses;
   float exposure = 1.0f;
   int samples_per_side = 1;
   bool exact_fresnel = false;

@@ -22,10 +22,10 @@ using reference::relative_error;
 Color pixel_of(const frame::FrameBuffers& buffers, const std::string& name, int x, int y) {
   const auto found = buffers.find(name);
   if (found == buffers.end()) return Color(0.0);
-  if (const auto* image = std::get_if<core::ImageRgb32f>(&found->second)) {
+  if (const auto* image = std::get_if<common::ImageRgb32f>(&found->second)) {
     return Color(image->at(x, y));
   }
-  return Color(static_cast<double>(std::get<core::Image32f>(found->second).at(x, y)));
+  return Color(static_cast<double>(std::get<common::Image32f>(found->second).at(x, y)));
 }
 
 double traced_error(const frame::FrameBuffers& buffers, const ReferenceImages& expected, int x,
@@ -102,7 +102,7 @@ void compare_traced(const frame::FrameBuffers& buffers, const ReferenceImages& e
   row.worst = describe(wrong, buffers, expected);
 }
 
-void compare_composites(const core::ImageRgb8& actual, const ReferenceImages& expected,
+void compare_composites(const common::ImageRgb8& actual, const ReferenceImages& expected,
                         frame::RendererMode mode, ParityRow& row) {
   const auto comparison = test_support::compare_images(test_support::as_floats(actual),
                                                        test_support::as_floats(expected.composite));

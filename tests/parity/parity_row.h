@@ -32,7 +32,7 @@ struct ParityRow {
 
   // For a failing test: the worst pixels in words, and the picture.
   std::string worst;
-  core::ImageRgb8 composite;
+  common::ImageRgb8 composite;
 };
 
 // mode: Hybrid (traced pixels are those of M_r) or Raytrace (all are). Hybrid traces the edges of

@@ -20,8 +20,8 @@ using test_support::make_mirror;
 using test_support::make_pinhole;
 using test_support::make_quad;
 
-core::ImageRgb8 striped_image(int width, int height) {
-  core::ImageRgb8 image(width, height);
+common::ImageRgb8 striped_image(int width, int height) {
+  common::ImageRgb8 image(width, height);
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       image.at(x, y) = {40 + (3 * x) % 200, 40 + (5 * y) % 200, 40 + (2 * x + y) % 200};
@@ -33,7 +33,7 @@ core::ImageRgb8 striped_image(int width, int height) {
 // A real floor seen from above, a virtual mirror standing on it.
 struct MirrorOnFloor {
   ClosedFormRig rig;
-  core::ImageRgb8 image = striped_image(80, 60);
+  common::ImageRgb8 image = striped_image(80, 60);
   ReferenceRequest request;
 
   MirrorOnFloor() {
@@ -49,7 +49,7 @@ struct MirrorOnFloor {
   ReferenceImages render() const { return render_reference(rig.world(), nullptr, request); }
 };
 
-TEST(ReferenceCamera, MirrorReturnsTheCamerasOwnColour) {
+TEST(ReferenceCamera, MirrorReturnsTheCamerasOwnColor) {
   const MirrorOnFloor setup;
   const ReferenceImages images = setup.render();
   const glm::dmat4 camera_from_world = setup.request.anchored.camera_from_world;
@@ -124,7 +124,7 @@ TEST(ReferenceCamera, LooksUpOnlyWhatTheCameraSees) {
 }
 
 TEST(ReferenceCamera, TrustRisesFromTheBorder) {
-  const core::CameraModel camera = make_pinhole(200, 100, 100.0);  // band: 4 pixels
+  const common::CameraModel camera = make_pinhole(200, 100, 100.0);  // band: 4 pixels
   EXPECT_EQ(border_trust(camera, {0.0, 50.0}), 0.0);
   EXPECT_EQ(border_trust(camera, {-3.0, 50.0}), 0.0);
   EXPECT_NEAR(border_trust(camera, {100.0, 97.0}), 0.5, 1e-12);
@@ -133,10 +133,10 @@ TEST(ReferenceCamera, TrustRisesFromTheBorder) {
 }
 
 TEST(ReferenceCamera, LensGoesBothWays) {
-  core::CameraModel camera = make_pinhole(640, 480, 500.0);
+  common::CameraModel camera = make_pinhole(640, 480, 500.0);
   camera.distortion = {-0.28,  0.09,  0.0012, -0.0007, 0.003,  0.01,
                        -0.004, 0.001, 0.0005, -0.0002, 0.0003, 0.0001};
-  const core::CameraModel ideal = make_pinhole(640, 480, 500.0);
+  const common::CameraModel ideal = make_pinhole(640, 480, 500.0);
   for (int y = 0; y < 480; y += 37) {
     for (int x = 0; x < 640; x += 41) {
       const auto seen = ideal_pixel(camera, ideal, {x, y});
@@ -169,7 +169,7 @@ TEST(ReferenceCamera, CurvesAreInvertible) {
 }
 
 TEST(ReferenceCamera, EnvironmentOrientation) {
-  scene::Environment map{core::ImageRgb32f(8, 4, glm::vec3(0.0f)), false};
+  scene::Environment map{common::ImageRgb32f(8, 4, glm::vec3(0.0f)), false};
   for (int y = 0; y < 4; ++y) {
     for (int x = 0; x < 8; ++x) map.radiance.at(x, y) = {x, y, 1.0f};
   }
@@ -187,7 +187,7 @@ TEST(ReferenceCamera, EnvironmentOrientation) {
 
 TEST(ReferenceCamera, TextureWrapping) {
   scene::Texture texture;
-  texture.texels = core::ImageRgba8(2, 1);
+  texture.texels = common::ImageRgba8(2, 1);
   texture.wrap_v = scene::Wrap::Clamp;
   texture.texels.at(0, 0) = {0, 0, 0, 0};
   texture.texels.at(1, 0) = {255, 255, 255, 255};
@@ -214,7 +214,7 @@ TEST(ReferenceCamera, HalfCoveredPixelHasNoRim) {
   rig.add(make_quad({-1.0f, 0.0f, -1.0f}, {1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f}),
           make_lamp(glm::vec3(1000.0f)));
   ReferenceRequest request;
-  const core::ImageRgb8 image(1, 1, core::Rgb8(0));
+  const common::ImageRgb8 image(1, 1, common::Rgb8(0));
   request.camera = make_pinhole(1, 1, 1.0);
   request.anchored = rig.anchored();
   request.anchored.camera_from_world = look_at({0.0, 0.0, 0.0}, {0.0, 0.0, -1.0});

@@ -79,7 +79,7 @@ TEST(ReferenceGlass, ThinSheetTransmitsLikeASlab) {
   EXPECT_NEAR(rig.trace(kStart, kForward).mixed.r, (1.0 - kR) / (1.0 + kR), 1e-14);
 }
 
-TEST(ReferenceGlass, ColouredGlassTintsAtEverySurface) {
+TEST(ReferenceGlass, ColoredGlassTintsAtEverySurface) {
   scene::Material glass = make_glass(1.5f);
   glass.base_color = {0.25f, 0.5f, 1.0f, 1.0f};
   ClosedFormRig rig = slab(glass);

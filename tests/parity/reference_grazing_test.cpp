@@ -17,7 +17,7 @@ ReferenceImages look(const ClosedFormRig& rig) {
   request.camera = test_support::make_pinhole(2 * kCentre + 1, 2 * kCentre + 1, 20.0);
   request.anchored = rig.anchored();
   request.anchored.camera_from_world = test_support::look_at({0.0, 0.0, 2.0}, {0.0, 0.0, 0.0});
-  const core::ImageRgb8 image(request.camera.width, request.camera.height);
+  const common::ImageRgb8 image(request.camera.width, request.camera.height);
   request.camera_image = &image;
   request.find_grazing = true;
   return render_reference(rig.scene, request);

@@ -1,4 +1,4 @@
-// Textures and vertex colours: each against the radiance that one point of a floor must have.
+// Textures and vertex colors: each against the radiance that one point of a floor must have.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -33,7 +33,7 @@ ClosedFormRig floor_under_sun(const scene::Material& material) {
   return rig;
 }
 
-TEST(ReferenceMaterial, VertexColoursMeetAtTheBarycentre) {
+TEST(ReferenceMaterial, VertexColorsMeetAtTheBarycentre) {
   ClosedFormRig rig = floor_under_sun(make_diffuse({0.5f, 1.0f, 1.0f}));
   scene::Mesh& mesh = rig.scene.meshes[0];
   mesh.colors = {{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0.5f, 1, 1}, {1, 1, 1, 1}};
@@ -44,7 +44,7 @@ TEST(ReferenceMaterial, VertexColoursMeetAtTheBarycentre) {
   EXPECT_LT(glm::length(seen - radiance_of_rough({0.5 / 3.0, 0.5, 1.0 / 3.0}, 3.0)), 1e-7);
 }
 
-TEST(ReferenceMaterial, BaseColourTimesTextureDecoded) {
+TEST(ReferenceMaterial, BaseColorTimesTextureDecoded) {
   scene::Material material = make_diffuse({0.5f, 1.0f, 0.25f});
   material.base_color_texture = 0;
   ClosedFormRig rig = floor_under_sun(material);
@@ -59,7 +59,7 @@ TEST(ReferenceMaterial, TextureMayHaveCoordinatesOfItsOwn) {
   material.base_color_texture = 0;
   ClosedFormRig rig = floor_under_sun(material);
   add_texture(rig.scene, {255, 255, 255, 255});
-  rig.scene.textures[0].texels = core::ImageRgba8(2, 1, {0, 0, 0, 255});
+  rig.scene.textures[0].texels = common::ImageRgba8(2, 1, {0, 0, 0, 255});
   rig.scene.textures[0].texels.at(1, 0) = {255, 255, 255, 255};
   scene::Mesh& mesh = rig.scene.meshes[0];
   mesh.uvs.assign(4, {0.25f, 0.5f});         // black
@@ -132,7 +132,7 @@ TEST(ReferenceMaterial, NormalTextureTurnsAMirror) {
   scene::Mesh floor = make_floor(0.0f, 1.0f);
   floor.tangents.assign(4, {1.0f, 0.0f, 0.0f, 1.0f});
   rig.add(std::move(floor), material);
-  // What is reflected: a lamp whose place is in its colour.
+  // What is reflected: a lamp whose place is in its color.
   const Vec3 normal = glm::normalize(Vec3(0.6, 2.0 * 229.0 / 255.0 - 1.0, 1.0 / 255.0));
   const Vec3 reflected = reflect(kDown, normal);
   const Vec3 lamp = Vec3(kEye.x, 0.0, kEye.z) + 3.0 * reflected;

@@ -54,7 +54,7 @@ TEST(ReferenceMirror, ImportanceCutoffStaysBelowItsBound) {
   }
 }
 
-TEST(ReferenceMirror, ReflectsBySchlickWithItsColour) {
+TEST(ReferenceMirror, ReflectsBySchlickWithItsColor) {
   ClosedFormRig rig;
   rig.add(make_quad(glm::vec3(0.0f), {9.0f, 0.0f, 0.0f}, {0.0f, 0.0f, -9.0f}),
           make_mirror({1.0f, 0.5f, 0.25f}));

@@ -18,10 +18,10 @@ using test_support::make_sun;
 // 4 x 4 white, 2 x 2 black, 1 x 1 white; alpha likewise. At level l in [0, 1] it reads 1 - l, in
 // [1, 2] l - 1.
 scene::Texture make_levels() {
-  const core::Rgba8 white(255, 255, 255, 255), black(0, 0, 0, 0);
+  const common::Rgba8 white(255, 255, 255, 255), black(0, 0, 0, 0);
   scene::Texture texture;
-  texture.texels = core::ImageRgba8(4, 4, white);
-  texture.mips = {core::ImageRgba8(2, 2, black), core::ImageRgba8(1, 1, white)};
+  texture.texels = common::ImageRgba8(4, 4, white);
+  texture.mips = {common::ImageRgba8(2, 2, black), common::ImageRgba8(1, 1, white)};
   return texture;
 }
 

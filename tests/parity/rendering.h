@@ -8,7 +8,7 @@ namespace amalgam::parity {
 
 struct Rendering {
   frame::FrameBuffers buffers;
-  core::ImageRgb8 composite;
+  common::ImageRgb8 composite;
   frame::FrameStatistics statistics;
 };
 

@@ -25,14 +25,14 @@ std::uint64_t all_rays(const core::RayCounts& rays) {
   return rays.cast();
 }
 
-core::ImageRgb32f converged_composite(const ParityCase& parity_case) {
+common::ImageRgb32f converged_composite(const ParityCase& parity_case) {
   const ParityCase converged = with_samples(parity_case, kConvergedSide);
   return test_support::as_floats(
       reference::render_reference(converged.scene, make_reference_request(converged)).composite);
 }
 
 Point measure(const std::string& samples, const ParityCase& parity_case,
-              const frame::RendererSettings& settings, const core::ImageRgb32f& expected) {
+              const frame::RendererSettings& settings, const common::ImageRgb32f& expected) {
   const Rendering rendering = render(parity_case, settings);
   return {samples,
           test_support::compare_images(test_support::as_floats(rendering.composite), expected).mean,
@@ -41,7 +41,7 @@ Point measure(const std::string& samples, const ParityCase& parity_case,
 
 // 1, 4, 9 and 16 samples, then adaptive.
 std::vector<Point> measure_all(const ParityCase& parity_case, frame::RendererMode mode,
-                               const core::ImageRgb32f& expected) {
+                               const common::ImageRgb32f& expected) {
   frame::RendererSettings settings;
   settings.mode = mode;
   std::vector<Point> points;
@@ -68,7 +68,7 @@ TEST(SamplingError, FallsWithSamplesAndAdaptivePaysLess) {
   std::cout << "scene             renderer  samples   error 1/255        rays  frame ms\n";
   for (const char* scene : {"complex", "mirror"}) {
     const ParityCase parity_case = make_parity_case(scene, 160, 120);
-    const core::ImageRgb32f expected = converged_composite(parity_case);
+    const common::ImageRgb32f expected = converged_composite(parity_case);
     for (const auto mode : {frame::RendererMode::Raytrace, frame::RendererMode::Hybrid}) {
       const std::vector<Point> points = measure_all(parity_case, mode, expected);
       print(parity_case, mode, points);

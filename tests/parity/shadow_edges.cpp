@@ -16,7 +16,7 @@ using namespace reference;
 // A change of light that counts as an edge: at exposure 1 a byte shows it as 3 in black.
 constexpr double kVisible = 1e-3;
 
-// What passes/shadow_layout.h says of layers and sizes.
+// What passes/raster/shadow_layout.h says of layers and sizes.
 int layers_of(const scene::Light& light) {
   using Kind = scene::Light::Kind;
   const bool narrow = std::acos(static_cast<double>(light.cos_outer)) <= 1.05;

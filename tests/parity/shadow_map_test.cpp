@@ -33,7 +33,7 @@ struct BandCounts {
   std::string where;      // of those elsewhere
 };
 
-int largest_step(const core::Rgb8& a, const core::Rgb8& b) {
+int largest_step(const common::Rgb8& a, const common::Rgb8& b) {
   const glm::ivec3 step = glm::abs(glm::ivec3(a) - glm::ivec3(b));
   return std::max({step.r, step.g, step.b});
 }
@@ -42,8 +42,8 @@ int largest_step(const core::Rgb8& a, const core::Rgb8& b) {
 double unexplained(const Rendering& actual, const reference::ReferenceImages& expected,
                    const ShadowEdges::Surroundings& around, int x, int y) {
   using reference::Color;
-  const auto& mixed = std::get<core::ImageRgb32f>(actual.buffers.at("mixed"));
-  const auto& real = std::get<core::ImageRgb32f>(actual.buffers.at("real"));
+  const auto& mixed = std::get<common::ImageRgb32f>(actual.buffers.at("mixed"));
+  const auto& real = std::get<common::ImageRgb32f>(actual.buffers.at("real"));
   Color error = glm::abs(Color(mixed.at(x, y)) - expected.mixed.at(x, y));
   if (expected.virtual_mask.at(x, y) == 0) {
     error = glm::max(error, glm::abs(Color(real.at(x, y)) - expected.real.at(x, y)));

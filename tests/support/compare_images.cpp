@@ -47,8 +47,8 @@ std::string ImageComparison::describe() const {
   return text.str();
 }
 
-ImageComparison compare_images(const core::ImageRgb32f& actual, const core::ImageRgb32f& expected,
-                               const CompareOptions& options) {
+ImageComparison compare_images(const common::ImageRgb32f& actual,
+                               const common::ImageRgb32f& expected, const CompareOptions& options) {
   if (actual.size() != expected.size()) {
     throw std::invalid_argument("the images to compare differ in size");
   }
@@ -78,13 +78,13 @@ ImageComparison compare_images(const core::ImageRgb32f& actual, const core::Imag
   return result;
 }
 
-std::string check_images(const std::string& name, const core::ImageRgb32f& actual,
-                         const core::ImageRgb32f& expected, const Tolerance& tolerance,
+std::string check_images(const std::string& name, const common::ImageRgb32f& actual,
+                         const common::ImageRgb32f& expected, const Tolerance& tolerance,
                          const std::filesystem::path& folder, const CompareOptions& options) {
   const ImageComparison comparison = compare_images(actual, expected, options);
   if (comparison.within(tolerance)) return {};
 
-  core::ImageRgb32f difference(actual.width(), actual.height());
+  common::ImageRgb32f difference(actual.width(), actual.height());
   for (std::size_t i = 0; i < difference.pixels().size(); ++i) {
     difference.pixels()[i] = actual.pixels()[i] - expected.pixels()[i];
   }
@@ -101,10 +101,10 @@ std::string check_images(const std::string& name, const core::ImageRgb32f& actua
   return text.str();
 }
 
-core::ImageRgb32f as_floats(const core::ImageRgb8& image) {
-  core::ImageRgb32f result(image.width(), image.height());
+common::ImageRgb32f as_floats(const common::ImageRgb8& image) {
+  common::ImageRgb32f result(image.width(), image.height());
   std::transform(image.pixels().begin(), image.pixels().end(), result.pixels().begin(),
-                 [](const core::Rgb8& pixel) { return glm::vec3(pixel); });
+                 [](const common::Rgb8& pixel) { return glm::vec3(pixel); });
   return result;
 }
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/image.h"
+#include "common/image.h"
 
 namespace amalgam::test_support {
 
@@ -38,20 +38,21 @@ struct CompareOptions {
   // 0: absolute differences. Otherwise relative to the expected value, or to this if that is less.
   double relative_floor = 0.0;
   // Pixels that are 0 here are left out; null: none are.
-  const core::Image<std::uint8_t>* include = nullptr;
+  const common::Image<std::uint8_t>* include = nullptr;
 };
 
 // Throws std::invalid_argument if the sizes differ.
-ImageComparison compare_images(const core::ImageRgb32f& actual, const core::ImageRgb32f& expected,
+ImageComparison compare_images(const common::ImageRgb32f& actual,
+                               const common::ImageRgb32f& expected,
                                const CompareOptions& options = {});
 
 // An empty string if within tolerance. Otherwise what is wrong, and NAME-actual.exr,
 // NAME-expected.exr and NAME-difference.exr are written to folder/failed-images.
-std::string check_images(const std::string& name, const core::ImageRgb32f& actual,
-                         const core::ImageRgb32f& expected, const Tolerance& tolerance,
+std::string check_images(const std::string& name, const common::ImageRgb32f& actual,
+                         const common::ImageRgb32f& expected, const Tolerance& tolerance,
                          const std::filesystem::path& folder, const CompareOptions& options = {});
 
 // Bytes as numbers from 0 to 255.
-core::ImageRgb32f as_floats(const core::ImageRgb8& image);
+common::ImageRgb32f as_floats(const common::ImageRgb8& image);
 
 }  // namespace amalgam::test_support

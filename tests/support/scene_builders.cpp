@@ -134,8 +134,8 @@ scene::Light make_point_light(const glm::vec3& position, const glm::vec3& intens
   return light;
 }
 
-core::CameraModel make_pinhole(int width, int height, double focal_length) {
-  core::CameraModel camera;
+common::CameraModel make_pinhole(int width, int height, double focal_length) {
+  common::CameraModel camera;
   camera.width = width;
   camera.height = height;
   camera.fx = camera.fy = focal_length;
@@ -158,7 +158,7 @@ glm::dmat4 look_at(const glm::dvec3& eye, const glm::dvec3& target, const glm::d
   return camera_from_world;
 }
 
-passes::RenderView make_view(const scene::Scene& scene, const core::CameraModel& camera,
+passes::RenderView make_view(const scene::Scene& scene, const common::CameraModel& camera,
                              const glm::dmat4& camera_from_world, std::vector<scene::Light> lights,
                              int samples_per_side) {
   passes::RenderView view;

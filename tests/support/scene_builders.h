@@ -8,9 +8,9 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "core/camera_model.h"
+#include "common/camera_model.h"
 #include "passes/frame_resources.h"
-#include "scene/light.h"
+#include "scene/light/light.h"
 #include "scene/scene.h"
 
 namespace amalgam::test_support {
@@ -40,14 +40,14 @@ scene::Light make_sun(const glm::vec3& to_light, const glm::vec3& irradiance = g
 scene::Light make_point_light(const glm::vec3& position, const glm::vec3& intensity);
 
 // A pinhole camera whose principal point is the image's centre.
-core::CameraModel make_pinhole(int width, int height, double focal_length);
+common::CameraModel make_pinhole(int width, int height, double focal_length);
 
 // camera_from_world of a camera at eye that looks at target (x right, y down, z forward).
 glm::dmat4 look_at(const glm::dvec3& eye, const glm::dvec3& target,
                    const glm::dvec3& up = glm::dvec3(0.0, 1.0, 0.0));
 
 // All instances of the scene anchored as they are, seen by an undistorted camera.
-passes::RenderView make_view(const scene::Scene& scene, const core::CameraModel& camera,
+passes::RenderView make_view(const scene::Scene& scene, const common::CameraModel& camera,
                              const glm::dmat4& camera_from_world, std::vector<scene::Light> lights,
                              int samples_per_side = 1);
 

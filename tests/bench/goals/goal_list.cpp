@@ -20,7 +20,7 @@ const std::vector<MeasuredGoal> kGoals{
     {{"thesis-rows", "our frames a second / the thesis's, lowest row of Table 6.1", AtLeast, 1.5,
       ""},
      measure_thesis_rows},
-    {{"thesis-still", "the same on a tripod: nothing moves, only the camera's colours change",
+    {{"thesis-still", "the same on a tripod: nothing moves, only the camera's colors change",
       AtLeast, 1.5, ""},
      measure_thesis_still},
     {{"thesis-mirrors", "the same, lowest row of the mirror bunny", AtLeast, 2.0, ""},

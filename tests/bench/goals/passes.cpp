@@ -67,7 +67,7 @@ Outcome measure_no_pose(GoalBench& bench) {
 Outcome measure_nothing_in_view(GoalBench& bench) {
   const BenchCase bunny = bench.scenes().glass_bunny(1280, 1024);
   BenchCase aside = bunny;
-  core::MarkerPose pose = bunny_pose();
+  common::MarkerPose pose = bunny_pose();
   pose.translation.x += 0.4;  // the bunny and its shadows lie beyond the picture's right edge
   set_pose(aside, pose);
   return measure_unaffected(bunny, aside.input);

@@ -24,8 +24,8 @@ SampleCosts measure_scene(const BenchCase& bench_case) {
       nine(bench_case, with_samples("9"), {.keep_pixels = true}),
       adaptive(bench_case, with_samples("adaptive"), {.keep_pixels = true});
   std::vector<double> one_times, nine_times, adaptive_times;
-  core::ImageRgb8 nine_pixels, adaptive_pixels;
-  const auto time = [](RenderRig& rig, core::ImageRgb8& pixels) {
+  common::ImageRgb8 nine_pixels, adaptive_pixels;
+  const auto time = [](RenderRig& rig, common::ImageRgb8& pixels) {
     const core::Stopwatch stopwatch;
     pixels = rig.render().pixels;
     return stopwatch.milliseconds();

@@ -71,12 +71,12 @@ float metered_exposure(const BenchCase& bench_case) {
   return RenderRig(bench_case, default_settings()).render().statistics.exposure;
 }
 
-core::ImageRgb8 render_pixels(const BenchCase& bench_case,
-                              const frame::RendererSettings& settings) {
+common::ImageRgb8 render_pixels(const BenchCase& bench_case,
+                                const frame::RendererSettings& settings) {
   return RenderRig(bench_case, settings, {.keep_pixels = true}).render().pixels;
 }
 
-core::ImageRgb8 render_reference(BenchCase bench_case, ThesisMethod method, float exposure) {
+common::ImageRgb8 render_reference(BenchCase bench_case, ThesisMethod method, float exposure) {
   bench_case.scene = frame::scene_variant(std::move(bench_case.scene), mode_for(method));
   frame::RendererSettings settings = default_settings();
   settings.mode = frame::RendererMode::Raytrace;

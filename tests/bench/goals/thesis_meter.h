@@ -31,7 +31,7 @@ class ThesisMeter {
 
   const BenchScenes& scenes_;
   std::map<std::string, Figures> figures_;
-  std::map<std::string, core::ImageRgb8> references_;
+  std::map<std::string, common::ImageRgb8> references_;
 };
 
 }  // namespace amalgam::bench

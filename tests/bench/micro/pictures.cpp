@@ -3,7 +3,7 @@
 #include "bench/micro/benchmarks.h"
 #include "client/synthetic_camera.h"
 #include "codec/jpeg.h"
-#include "passes/composite.h"
+#include "passes/image/composite.h"
 
 namespace amalgam::bench {
 namespace {
@@ -11,9 +11,9 @@ namespace {
 constexpr int kWidth = 1280, kHeight = 1024;
 constexpr int kQuality = 90;
 
-const core::ImageRgb8& desk_picture() {
-  static const core::ImageRgb8 picture =
-      client::SyntheticCamera(core::default_camera(kWidth, kHeight)).render(bunny_pose());
+const common::ImageRgb8& desk_picture() {
+  static const common::ImageRgb8 picture =
+      client::SyntheticCamera(common::default_camera(kWidth, kHeight)).render(bunny_pose());
   return picture;
 }
 
@@ -31,7 +31,7 @@ void benchmark_composite(benchmark::State& state) {
       layers.set(x, y, {0.3f, 0.4f, 0.5f, 1.0f}, glm::vec3(0.0f));
     }
   }
-  const core::ImageRgb8& camera_image = desk_picture();
+  const common::ImageRgb8& camera_image = desk_picture();
   for (auto _ : state) benchmark::DoNotOptimize(passes::composite(layers, camera_image));
   count_pixels(state);
 }
@@ -43,7 +43,7 @@ void benchmark_decode(benchmark::State& state) {
 }
 
 void benchmark_encode(benchmark::State& state) {
-  const core::ImageRgb8& picture = desk_picture();
+  const common::ImageRgb8& picture = desk_picture();
   for (auto _ : state) benchmark::DoNotOptimize(codec::encode_jpeg(picture, kQuality));
   count_pixels(state);
 }

@@ -18,7 +18,7 @@ BenchCase bunny_or_sphere(const std::filesystem::path& scene_folder) {
     return BenchScenes(scene_folder).glass_bunny(kWidth, kHeight);
   } catch (const MissingScene&) {
     BenchCase sphere;
-    sphere.camera = core::default_camera(kWidth, kHeight);
+    sphere.camera = common::default_camera(kWidth, kHeight);
     sphere.scene.world.marker = 40;
     test_support::add_object(sphere.scene, test_support::make_sphere({0, 0.05f, -0.09f}, 0.05f),
                              test_support::make_glass(), scene::Role::Virtual);

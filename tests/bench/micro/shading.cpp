@@ -4,8 +4,8 @@
 #include <glm/geometric.hpp>
 
 #include "bench/micro/benchmarks.h"
-#include "scene/environment.h"
-#include "scene/tone_map.h"
+#include "scene/light/environment.h"
+#include "scene/light/tone_map.h"
 #include "trace/fresnel.h"
 
 namespace amalgam::bench {
@@ -79,7 +79,7 @@ void benchmark_srgb_encode(benchmark::State& state) {
 }
 
 void benchmark_sample_environment(benchmark::State& state) {
-  const scene::Environment environment{core::ImageRgb32f(512, 256, glm::vec3(0.5f)), false};
+  const scene::Environment environment{common::ImageRgb32f(512, 256, glm::vec3(0.5f)), false};
   const auto inputs =
       make_inputs<glm::vec3>([](std::size_t i) { return glm::vec3(scattered_direction(i)); });
   call_again_and_again(state, inputs, [&](const glm::vec3& direction) {

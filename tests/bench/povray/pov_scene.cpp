@@ -8,9 +8,9 @@
 #include "bench/povray/pov_material.h"
 #include "bench/povray/pov_text.h"
 #include "codec/exr.h"
-#include "core/pose.h"
+#include "common/pose.h"
 #include "scene/anchored_scene.h"
-#include "scene/env_lights.h"
+#include "scene/light/env_lights.h"
 
 namespace amalgam::bench {
 namespace {
@@ -23,9 +23,9 @@ void write_settings(std::ostream& out, const trace::TraceSettings& settings) {
 }
 
 // POV-Ray's picture is spanned by `right` and `up` at the distance of `direction`.
-void write_camera(std::ostream& out, const core::CameraModel& camera,
+void write_camera(std::ostream& out, const common::CameraModel& camera,
                   const glm::dmat4& camera_from_world) {
-  const glm::dmat4 world_from_camera = core::rigid_inverse(camera_from_world);
+  const glm::dmat4 world_from_camera = common::rigid_inverse(camera_from_world);
   const glm::dvec3 x(world_from_camera[0]), y(world_from_camera[1]), z(world_from_camera[2]);
   const double off_x = (0.5 * (camera.width - 1) - camera.cx) / camera.fx;
   const double off_y = (0.5 * (camera.height - 1) - camera.cy) / camera.fy;

@@ -1,7 +1,7 @@
 // A case in POV-Ray's scene description language: the same meshes with the same normals, glass with
 // the same index and absorption, the same lights as parallel lights, the same camera.
 //
-// What differs: POV-Ray knows no camera image, so real surfaces are as modelled; base colours only,
+// What differs: POV-Ray knows no camera image, so real surfaces are as modelled; base colors only,
 // no textures; its Phong highlight is not multiplied by the cosine; a branch that ends is black.
 #pragma once
 

@@ -43,7 +43,8 @@ class Programs : public testing::Test {
 
   // A picture without any marker.
   fs::path write_plain_jpeg() const {
-    const auto jpeg = codec::encode_jpeg(core::ImageRgb8(320, 240, core::Rgb8(90, 120, 150)), 85);
+    const auto jpeg =
+        codec::encode_jpeg(common::ImageRgb8(320, 240, common::Rgb8(90, 120, 150)), 85);
     const fs::path path = folder_ / "plain.jpg";
     std::ofstream(path, std::ios::binary)
         .write(reinterpret_cast<const char*>(jpeg.data()),
@@ -103,7 +104,7 @@ TEST_F(Programs, SyntheticFramesAreCompositedOrCounted) {
   int written = 0;
   for (const auto& file : fs::directory_iterator(folder_ / "out")) {
     const std::string bytes = read_file(file.path());
-    const core::ImageRgb8 image = codec::decode_jpeg(std::as_bytes(std::span(bytes)));
+    const common::ImageRgb8 image = codec::decode_jpeg(std::as_bytes(std::span(bytes)));
     EXPECT_EQ(image.size(), glm::ivec2(320, 240));
     ++written;
   }
@@ -156,12 +157,12 @@ TEST_F(Programs, LightIsAccountedFor) {
   EXPECT_GT(shares["raster"].get<double>(), 1000.0);
   EXPECT_TRUE(fs::exists(folder_ / "d" / "provenance.exr"));
   const std::string png = read_file(folder_ / "d" / "provenance.png");
-  const core::ImageRgba8 picture =
+  const common::ImageRgba8 picture =
       codec::decode_picture(std::as_bytes(std::span(png.data(), png.size())));
   EXPECT_EQ(picture.width(), 160);
   EXPECT_GT(picture.height(), 120);
   const auto pixels = picture.pixels().first(160 * 120);
-  const auto green = std::count_if(pixels.begin(), pixels.end(), [](const core::Rgba8& p) {
+  const auto green = std::count_if(pixels.begin(), pixels.end(), [](const common::Rgba8& p) {
     return p.g > p.r + 60 && p.g > p.b + 60;
   });
   EXPECT_NEAR(static_cast<double>(green), shares["camera_lookup"].get<double>(),

@@ -37,7 +37,7 @@ class StubFrameService final : public frame::FrameService {
   }
 
   frame::ViewId open_view(const frame::ViewOptions& options, Deliver deliver) override {
-    if (!core::describe_defect(options.camera).empty()) throw std::invalid_argument("camera");
+    if (!common::describe_defect(options.camera).empty()) throw std::invalid_argument("camera");
     const std::lock_guard lock(mutex_);
     views_.emplace(++last_view_, View{std::move(deliver), std::nullopt});
     ++opened_;

@@ -22,7 +22,7 @@ using protocol::Envelope;
 
 constexpr timeval kPatience{.tv_sec = 10, .tv_usec = 0};
 
-int connect_to(const net::HostPort& server, int receive_buffer) {
+int connect_to(const common::HostPort& server, int receive_buffer) {
   const int handle = ::socket(AF_INET, SOCK_STREAM, 0);
   ::setsockopt(handle, SOL_SOCKET, SO_RCVTIMEO, &kPatience, sizeof(kPatience));
   ::setsockopt(handle, SOL_SOCKET, SO_SNDTIMEO, &kPatience, sizeof(kPatience));
@@ -42,7 +42,7 @@ int connect_to(const net::HostPort& server, int receive_buffer) {
 
 }  // namespace
 
-TestClient::TestClient(const net::HostPort& server, int receive_buffer)
+TestClient::TestClient(const common::HostPort& server, int receive_buffer)
     : socket_(connect_to(server, receive_buffer)) {}
 
 TestClient::TestClient(TestClient&& other) noexcept
@@ -163,7 +163,7 @@ void add_pose(Envelope& frame, int marker, double z) {
   pose.mutable_translation()->set_z(z);
 }
 
-HttpAnswer http_get(const net::HostPort& server, const std::string& path,
+HttpAnswer http_get(const common::HostPort& server, const std::string& path,
                     const std::string& method) {
   const int handle = connect_to(server, 0);
   const std::string request = method + " " + path + " HTTP/1.0\r\nHost: test\r\n\r\n";

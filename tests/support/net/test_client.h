@@ -15,7 +15,7 @@ namespace amalgam::test {
 class TestClient {
  public:
   // receive_buffer: SO_RCVBUF in bytes; 0 leaves it to the kernel.
-  explicit TestClient(const net::HostPort& server, int receive_buffer = 0);
+  explicit TestClient(const common::HostPort& server, int receive_buffer = 0);
   TestClient(TestClient&& other) noexcept;
   TestClient& operator=(TestClient&&) = delete;
   ~TestClient();
@@ -58,7 +58,7 @@ struct HttpAnswer {
   int status = 0;
   std::string head, body;
 };
-HttpAnswer http_get(const net::HostPort& server, const std::string& path,
+HttpAnswer http_get(const common::HostPort& server, const std::string& path,
                     const std::string& method = "GET");
 
 }  // namespace amalgam::test

@@ -1,7 +1,7 @@
 // What arrives at a point from a light if nothing is in between.
 #pragma once
 
-#include "scene/light.h"
+#include "scene/light/light.h"
 #include "support/reference/vectors.h"
 
 namespace amalgam::reference {

@@ -19,7 +19,7 @@ bool hidden_by_real_object(const World& world, const Ray& to_camera) {
 
 }  // namespace
 
-double border_trust(const core::CameraModel& camera, const Vec2& pixel) {
+double border_trust(const common::CameraModel& camera, const Vec2& pixel) {
   const double inside =
       std::min({pixel.x, pixel.y, camera.width - 1 - pixel.x, camera.height - 1 - pixel.y});
   const double band = 0.04 * std::min(camera.width, camera.height);

@@ -1,16 +1,16 @@
-// The camera's own colour of a real surface that a secondary ray met (eq. 4.10, 4.11), if the
+// The camera's own color of a real surface that a secondary ray met (eq. 4.10, 4.11), if the
 // camera sees that point.
 #pragma once
 
-#include "core/camera_model.h"
-#include "core/image.h"
+#include "common/camera_model.h"
+#include "common/image.h"
 #include "support/reference/world.h"
 
 namespace amalgam::reference {
 
 struct CameraView {
-  const core::ImageRgb8* image = nullptr;  // size of the camera
-  core::CameraModel camera;                // with distortion
+  const common::ImageRgb8* image = nullptr;  // size of the camera
+  common::CameraModel camera;                // with distortion
   glm::dmat4 camera_from_world{1.0};
   double exposure = 1.0;
 };
@@ -25,6 +25,6 @@ LookUp look_up(const World& world, const CameraView& view, const Vec3& point,
                const Vec3& facing_normal);
 
 // How much a look-up counts: smoothstep over the outermost 4 % of the image's shorter side.
-double border_trust(const core::CameraModel& camera, const Vec2& pixel);
+double border_trust(const common::CameraModel& camera, const Vec2& pixel);
 
 }  // namespace amalgam::reference

@@ -9,7 +9,7 @@ namespace amalgam::reference {
 namespace {
 
 template <typename Pixel>
-Pixel sample_or_zero(const core::Image<Pixel>& image, const Vec2& position) {
+Pixel sample_or_zero(const common::Image<Pixel>& image, const Vec2& position) {
   const double x0 = std::floor(position.x), y0 = std::floor(position.y);
   const double fx = position.x - x0, fy = position.y - y0;
   const auto value = [&](double x, double y) {
@@ -33,9 +33,10 @@ void add_sample(Layers& layers, int x, int y, const Sample& sample, double expos
   }
 }
 
-Layers warp(const Layers& layers, const core::CameraModel& camera, const core::CameraModel& ideal) {
-  Layers warped{core::Image<Vec4>(camera.width, camera.height, Vec4(0.0)),
-                core::Image<Color>(camera.width, camera.height, Color(0.0))};
+Layers warp(const Layers& layers, const common::CameraModel& camera,
+            const common::CameraModel& ideal) {
+  Layers warped{common::Image<Vec4>(camera.width, camera.height, Vec4(0.0)),
+                common::Image<Color>(camera.width, camera.height, Color(0.0))};
   for (int y = 0; y < camera.height; ++y) {
     for (int x = 0; x < camera.width; ++x) {
       const auto position = ideal_pixel(camera, ideal, {x, y});
@@ -47,12 +48,12 @@ Layers warp(const Layers& layers, const core::CameraModel& camera, const core::C
   return warped;
 }
 
-core::ImageRgb8 composite(const Layers& layers, const core::ImageRgb8& camera_image) {
-  core::ImageRgb8 result(camera_image.width(), camera_image.height());
+common::ImageRgb8 composite(const Layers& layers, const common::ImageRgb8& camera_image) {
+  common::ImageRgb8 result(camera_image.width(), camera_image.height());
   for (int y = 0; y < result.height(); ++y) {
     for (int x = 0; x < result.width(); ++x) {
       const Vec4& over = layers.over.at(x, y);
-      const core::Rgb8& bytes = camera_image.at(x, y);
+      const common::Rgb8& bytes = camera_image.at(x, y);
       for (glm::length_t c = 0; c < 3; ++c) {
         const double final_value =
             over[c] + (1.0 - over.a) * srgb_decode_byte(bytes[c]) + layers.difference.at(x, y)[c];

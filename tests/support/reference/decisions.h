@@ -1,5 +1,5 @@
 // The yes-or-no questions that a pixel's rays answered on their way, as one number: what is met,
-// from which side, what is cut off. Colours change smoothly between pixels that answer all of
+// from which side, what is cut off. Colors change smoothly between pixels that answer all of
 // them alike; where a tiny nudge changes an answer, the pixel grazes an edge.
 #pragma once
 

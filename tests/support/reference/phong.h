@@ -14,7 +14,7 @@ struct Phong {
 // From glTF's three numbers at a point.
 Phong phong_of(const Color& base_color, double metallic, double roughness);
 
-// A surface without a mirror image: scatters all of its base colour.
+// A surface without a mirror image: scatters all of its base color.
 Phong lambertian(const Color& base_color);
 
 // Radiance towards to_viewer for irradiance 1 on a surface facing the light:

@@ -36,7 +36,7 @@ int wrap_index(int i, int size, scene::Wrap wrap) {
   return std::clamp(i, 0, size - 1);
 }
 
-Vec4 decode(const core::Rgba8& texel, TextureContent content) {
+Vec4 decode(const common::Rgba8& texel, TextureContent content) {
   if (content == TextureContent::Data) return Vec4(texel) / 255.0;
   return {srgb_decode_byte(texel.r), srgb_decode_byte(texel.g), srgb_decode_byte(texel.b),
           texel.a / 255.0};
@@ -44,7 +44,7 @@ Vec4 decode(const core::Rgba8& texel, TextureContent content) {
 
 Vec4 sample_level(const scene::Texture& texture, TextureContent content, std::size_t level,
                   const Vec2& uv) {
-  const core::ImageRgba8& texels = level == 0 ? texture.texels : texture.mips[level - 1];
+  const common::ImageRgba8& texels = level == 0 ? texture.texels : texture.mips[level - 1];
   return mix_bilinearly(uv * Vec2(texels.size()) - 0.5, [&](int x, int y) {
     return decode(texels.at(wrap_index(x, texels.width(), texture.wrap_u),
                             wrap_index(y, texels.height(), texture.wrap_v)),
@@ -54,9 +54,9 @@ Vec4 sample_level(const scene::Texture& texture, TextureContent content, std::si
 
 }  // namespace
 
-Color sample_camera_image(const core::ImageRgb8& image, const Vec2& pixel) {
+Color sample_camera_image(const common::ImageRgb8& image, const Vec2& pixel) {
   return mix_bilinearly(pixel, [&](int x, int y) {
-    const core::Rgb8& bytes =
+    const common::Rgb8& bytes =
         image.at(std::clamp(x, 0, image.width() - 1), std::clamp(y, 0, image.height() - 1));
     return Color(srgb_decode_byte(bytes.r), srgb_decode_byte(bytes.g), srgb_decode_byte(bytes.b));
   });
@@ -79,7 +79,7 @@ Vec4 sample_texture(const scene::Texture& texture, TextureContent content, const
 }
 
 Color environment_towards(const scene::Environment& environment, const Vec3& direction) {
-  const core::ImageRgb32f& map = environment.radiance;
+  const common::ImageRgb32f& map = environment.radiance;
   const double longitude = std::atan2(direction.x, direction.z);  // 0 at +Z, pi/2 at +X
   const double from_top = std::acos(std::clamp(direction.y, -1.0, 1.0));
   const Vec2 position((0.5 - longitude / (2.0 * kPi)) * map.width() - 0.5,

@@ -1,17 +1,17 @@
-// Bilinear look-ups in the three kinds of pictures: the camera image, colour textures and the
+// Bilinear look-ups in the three kinds of pictures: the camera image, color textures and the
 // environment map.
 #pragma once
 
-#include "core/image.h"
-#include "scene/environment.h"
+#include "common/image.h"
+#include "scene/light/environment.h"
 #include "scene/scene.h"
 #include "support/reference/vectors.h"
 
 namespace amalgam::reference {
 
-// Display-linear colour at pixel coordinates (a pixel's centre has integer ones): bytes are decoded
+// Display-linear color at pixel coordinates (a pixel's centre has integer ones): bytes are decoded
 // before they are mixed. Outside, the border pixels go on.
-Color sample_camera_image(const core::ImageRgb8& image, const Vec2& pixel);
+Color sample_camera_image(const common::ImageRgb8& image, const Vec2& pixel);
 
 enum class TextureContent { Color, Data };  // sRGB-encoded; linear. Alpha always is linear
 

@@ -33,7 +33,7 @@ class Rendering {
   Rendering(const World& world, const scene::Environment* environment,
             const ReferenceRequest& request)
       : request_(request),
-        ideal_(core::ideal_camera_covering(request.camera)),
+        ideal_(common::ideal_camera_covering(request.camera)),
         view_{request.camera_image, request.camera, request.anchored.camera_from_world,
               request.exposure},
         inputs_{world, request.lights, environment, &view_, request.settings},
@@ -41,10 +41,10 @@ class Rendering {
     inputs_.start_media = media_around(world, Vec3(world_from_camera_[3]));
     const int w = ideal_.width, h = ideal_.height;
     images_.mixed = images_.real = images_.environment_reflection =
-        core::Image<Color>(w, h, Color(0.0));
+        common::Image<Color>(w, h, Color(0.0));
     images_.virtual_mask = images_.specular_mask = images_.grazing = images_.rim =
-        core::Image<std::uint8_t>(w, h, 0);
-    images_.layers = {core::Image<Vec4>(w, h, Vec4(0.0)), core::Image<Color>(w, h, Color(0.0))};
+        common::Image<std::uint8_t>(w, h, 0);
+    images_.layers = {common::Image<Vec4>(w, h, Vec4(0.0)), common::Image<Color>(w, h, Color(0.0))};
   }
 
   ReferenceImages render() {
@@ -137,7 +137,7 @@ class Rendering {
   }
 
   const ReferenceRequest& request_;
-  core::CameraModel ideal_;
+  common::CameraModel ideal_;
   CameraView view_;
   Whitted::Inputs inputs_;
   glm::dmat4 world_from_camera_;

@@ -1,15 +1,15 @@
 // The independent second renderer that the fast one is held against: double precision, scalar,
 // recursive, its own intersections, written from the equations. It shares data types with the
-// server and no code that computes a colour or meets a surface.
+// server and no code that computes a color or meets a surface.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
-#include "core/camera_model.h"
-#include "core/image.h"
+#include "common/camera_model.h"
+#include "common/image.h"
 #include "scene/anchored_scene.h"
-#include "scene/light.h"
+#include "scene/light/light.h"
 #include "scene/scene.h"
 #include "support/reference/composite.h"
 #include "support/reference/whitted.h"
@@ -21,7 +21,7 @@ namespace amalgam::reference {
 // which is what a few roundings to float may do to a hit point.
 enum class Grazing : std::uint8_t {
   No,
-  Steep,  // the colour changes by more than kSteep: tangents of curved glass and mirrors
+  Steep,  // the color changes by more than kSteep: tangents of curved glass and mirrors
   Edge,   // something else is decided on the way (decisions.h): what is met, what is cut off
 };
 constexpr double kSteep = 2e-3;  // relative_error.h
@@ -31,10 +31,10 @@ constexpr double kSteep = 2e-3;  // relative_error.h
 constexpr double kRasterGrid = 1.0 / 256.0;  // sample spacings
 
 struct ReferenceRequest {
-  core::CameraModel camera;  // as the client has it, with distortion
+  common::CameraModel camera;  // as the client has it, with distortion
   scene::AnchoredScene anchored;
-  std::vector<scene::Light> lights;               // world frame, environment lights included
-  const core::ImageRgb8* camera_image = nullptr;  // size of the camera; required
+  std::vector<scene::Light> lights;                 // world frame, environment lights included
+  const common::ImageRgb8* camera_image = nullptr;  // size of the camera; required
   double exposure = 1.0;
   int samples_per_side = 1;
   TraceSettings settings;
@@ -44,15 +44,15 @@ struct ReferenceRequest {
 // Geometry of the ideal camera except where said. The images of the thesis hold the first sample
 // of each pixel.
 struct ReferenceImages {
-  core::Image<Color> mixed;                   // I_m
-  core::Image<Color> real;                    // I_r
-  core::Image<Color> environment_reflection;  // I_e
-  core::Image<std::uint8_t> virtual_mask;     // M_v
-  core::Image<std::uint8_t> specular_mask;    // M_r
-  core::Image<std::uint8_t> grazing;          // a Grazing, the largest of the pixel's samples
-  core::Image<std::uint8_t> rim;  // 1: one of its samples lies at a rim, see kRasterGrid
+  common::Image<Color> mixed;                   // I_m
+  common::Image<Color> real;                    // I_r
+  common::Image<Color> environment_reflection;  // I_e
+  common::Image<std::uint8_t> virtual_mask;     // M_v
+  common::Image<std::uint8_t> specular_mask;    // M_r
+  common::Image<std::uint8_t> grazing;          // a Grazing, the largest of the pixel's samples
+  common::Image<std::uint8_t> rim;  // 1: one of its samples lies at a rim, see kRasterGrid
   Layers layers;
-  core::ImageRgb8 composite;  // the camera's own geometry
+  common::ImageRgb8 composite;  // the camera's own geometry
 };
 
 ReferenceImages render_reference(const scene::Scene& scene, const ReferenceRequest& request);

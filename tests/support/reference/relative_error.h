@@ -1,4 +1,4 @@
-// How far two colours are apart in relation to the one that is taken for right.
+// How far two colors are apart in relation to the one that is taken for right.
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // What a surface is made of at one point: the material's factors times what its textures and the
-// vertices' colours say there (glTF 2.0, 3.9; scene/material.h for the slots).
+// vertices' colors say there (glTF 2.0, 3.9; scene/material.h for the slots).
 #pragma once
 
 #include <array>

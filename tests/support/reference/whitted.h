@@ -4,8 +4,8 @@
 
 #include <span>
 
-#include "scene/environment.h"
-#include "scene/light.h"
+#include "scene/light/environment.h"
+#include "scene/light/light.h"
 #include "support/reference/camera_lookup.h"
 #include "support/reference/decisions.h"
 #include "support/reference/fresnel.h"

@@ -15,27 +15,28 @@
 namespace amalgam::client {
 namespace {
 
-std::vector<SeenBoardMarker> see(const MarkerBoard& board, const core::MarkerPose& pose,
-                                 const core::CameraModel& camera) {
+std::vector<SeenBoardMarker> see(const MarkerBoard& board, const common::MarkerPose& pose,
+                                 const common::CameraModel& camera) {
   std::vector<SeenBoardMarker> seen;
   for (const BoardMarker& marker : board.markers) {
     SeenBoardMarker view{&marker, {}};
     for (std::size_t i = 0; i < 4; ++i) {
       const glm::dvec4 corner(marker.corners[i], 1.0);
-      view.corners[i] = core::project(camera, glm::dvec3(core::to_matrix(pose) * corner)).value();
+      view.corners[i] =
+          common::project(camera, glm::dvec3(common::to_matrix(pose) * corner)).value();
     }
     seen.push_back(view);
   }
   return seen;
 }
 
-core::CameraModel distorting_camera() {
-  core::CameraModel camera = core::default_camera(800, 600);
+common::CameraModel distorting_camera() {
+  common::CameraModel camera = common::default_camera(800, 600);
   camera.distortion = {0.0995485, -0.206384, 0.00754589, 0.00336531};
   return camera;
 }
 
-void expect_pose(const BoardFit& fit, const core::MarkerPose& truth, double radians,
+void expect_pose(const BoardFit& fit, const common::MarkerPose& truth, double radians,
                  double metres) {
   ASSERT_FALSE(fit.solutions.empty());
   EXPECT_LT(angle_between(fit.solutions[0].pose.rotation, truth.rotation), radians);
@@ -43,7 +44,7 @@ void expect_pose(const BoardFit& fit, const core::MarkerPose& truth, double radi
 }
 
 TEST(BoardPose, FindsAnExactPoseThroughADistortingLens) {
-  const core::CameraModel camera = distorting_camera();
+  const common::CameraModel camera = distorting_camera();
   const MarkerBoard board = make_grid_board(5, 7, 0.04, 0.01, 0);
   const auto truth = look_at({0.12, -0.4, 0.45}, {0.0, 0.0, 0.0}, 0);
   const BoardFit fit = solve_board(see(board, truth, camera), camera);
@@ -53,7 +54,7 @@ TEST(BoardPose, FindsAnExactPoseThroughADistortingLens) {
 }
 
 TEST(BoardPose, ABoardThatIsNotFlat) {
-  const core::CameraModel camera = core::default_camera(800, 600);
+  const common::CameraModel camera = common::default_camera(800, 600);
   MarkerBoard corner;  // of a box: three faces that meet
   const glm::dmat4 one(1.0);
   corner.markers.push_back(square_marker(0, 0.06, glm::translate(one, glm::dvec3(0, 0, 0.05))));
@@ -68,8 +69,8 @@ TEST(BoardPose, ABoardThatIsNotFlat) {
 }
 
 TEST(BoardPose, ABoardThatFacesTheCameraExactly) {
-  const core::CameraModel camera = core::default_camera(801, 601);
-  core::MarkerPose facing;
+  const common::CameraModel camera = common::default_camera(801, 601);
+  common::MarkerPose facing;
   facing.rotation = glm::dquat(0.0, 1.0, 0.0, 0.0);
   facing.translation = {0.0, 0.0, 0.5};
   const MarkerBoard board = make_grid_board(3, 3, 0.04, 0.01, 0);
@@ -82,7 +83,7 @@ struct Rms {
 
 // Half a pixel of noise on each corner's coordinates.
 Rms noise_errors(const MarkerBoard& board, int draws) {
-  const core::CameraModel camera = core::default_camera(800, 600);
+  const common::CameraModel camera = common::default_camera(800, 600);
   std::mt19937 random(6);
   std::normal_distribution<double> noise(0.0, 0.5);
   std::uniform_real_distribution<double> turn(0.0, 6.283), distance(0.4, 0.8);
@@ -97,7 +98,7 @@ Rms noise_errors(const MarkerBoard& board, int draws) {
     const BoardFit fit = solve_board(seen, camera);
     EXPECT_FALSE(fit.solutions.empty());
     if (fit.solutions.empty()) continue;
-    // The better of the two: which one is taken is for PoseMemory and not in question here.
+    // The better of the two: which one is taken is for PoseDisambiguation and not in question here.
     double degrees = 180.0, millimetres = 0.0;
     for (const PoseSolution& solution : fit.solutions) {
       const double off = glm::degrees(angle_between(solution.pose.rotation, truth.rotation));
@@ -130,7 +131,7 @@ TEST(BoardPose, IsBetterThanASingleMarkers) {
 class WrongMarker : public testing::TestWithParam<int> {};
 
 TEST_P(WrongMarker, IsLeftOut) {
-  const core::CameraModel camera = distorting_camera();
+  const common::CameraModel camera = distorting_camera();
   const MarkerBoard board = make_grid_board(GetParam(), 1, 0.04, 0.01, 0);
   const auto truth = look_at({0.1, -0.35, 0.4}, {}, 0);
   for (std::size_t wrong = 0; wrong < board.markers.size(); ++wrong) {
@@ -145,7 +146,7 @@ TEST_P(WrongMarker, IsLeftOut) {
 INSTANTIATE_TEST_SUITE_P(AmongOthers, WrongMarker, testing::Values(3, 4, 6));
 
 TEST(BoardPose, SeveralWrongMarkersAmongMany) {
-  const core::CameraModel camera = distorting_camera();
+  const common::CameraModel camera = distorting_camera();
   const MarkerBoard board = make_grid_board(5, 7, 0.04, 0.01, 0);
   const auto truth = look_at({0.1, -0.4, 0.5}, {}, 0);
   auto seen = see(board, truth, camera);
@@ -159,7 +160,7 @@ TEST(BoardPose, SeveralWrongMarkersAmongMany) {
 }
 
 TEST(BoardPose, TwoThatContradictEachOtherGiveNone) {
-  const core::CameraModel camera = core::default_camera(800, 600);
+  const common::CameraModel camera = common::default_camera(800, 600);
   const MarkerBoard board = make_grid_board(2, 1, 0.04, 0.01, 0);
   auto seen = see(board, look_at({0.1, -0.35, 0.4}, {}, 0), camera);
   for (glm::dvec2& corner : seen[1].corners) corner += glm::dvec2(200, -150);
@@ -167,7 +168,7 @@ TEST(BoardPose, TwoThatContradictEachOtherGiveNone) {
 }
 
 TEST(BoardPose, NonsenseGivesNothingOrSomethingUsable) {
-  const core::CameraModel camera = core::default_camera(640, 480);
+  const common::CameraModel camera = common::default_camera(640, 480);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const MarkerBoard board = make_grid_board(2, 2, 0.04, 0.01, 0);
   EXPECT_TRUE(solve_board({}, camera).solutions.empty());
@@ -178,7 +179,7 @@ TEST(BoardPose, NonsenseGivesNothingOrSomethingUsable) {
     std::vector<SeenBoardMarker> seen;
     for (const BoardMarker& marker : board.markers) seen.push_back({&marker, corners});
     for (const PoseSolution& solution : solve_board(seen, camera).solutions) {
-      EXPECT_TRUE(core::is_usable(solution.pose));
+      EXPECT_TRUE(common::is_usable(solution.pose));
     }
   }
 }

@@ -17,8 +17,9 @@
 namespace amalgam::client {
 namespace {
 
-std::optional<core::MarkerPose> pose_of_marker(const std::vector<core::MarkerPose>& poses, int id) {
-  const auto found = std::ranges::find(poses, id, &core::MarkerPose::marker);
+std::optional<common::MarkerPose> pose_of_marker(const std::vector<common::MarkerPose>& poses,
+                                                 int id) {
+  const auto found = std::ranges::find(poses, id, &common::MarkerPose::marker);
   return found == poses.end() ? std::nullopt : std::optional(*found);
 }
 
@@ -26,13 +27,13 @@ struct Errors {
   double degrees = 0.0, millimetres = 0.0;
 };
 
-Errors errors_of(const core::MarkerPose& pose, const core::MarkerPose& truth) {
+Errors errors_of(const common::MarkerPose& pose, const common::MarkerPose& truth) {
   return {glm::degrees(angle_between(pose.rotation, truth.rotation)),
           1e3 * glm::distance(pose.translation, truth.translation)};
 }
 
 TEST(BoardTracking, PosesOfTheBoardAreBetterThanThoseOfTheWorldMarkerAlone) {
-  const core::CameraModel camera = core::default_camera(800, 600);
+  const common::CameraModel camera = common::default_camera(800, 600);
   const MarkerBoard grid = make_grid_board(4, 3, 0.04, 0.01, 37);  // 40 ends its first row
   const MarkerBoard board = placed_on(grid, 40);
   MarkerTracker single({.marker_length = 0.04, .ids = {40}}, camera);
@@ -66,7 +67,7 @@ TEST(BoardTracking, PosesOfTheBoardAreBetterThanThoseOfTheWorldMarkerAlone) {
 }
 
 TEST(BoardTracking, TheWorldMarkerNeedNotBeSeen) {
-  const core::CameraModel camera = core::default_camera(800, 600);
+  const common::CameraModel camera = common::default_camera(800, 600);
   const MarkerBoard board = placed_on(make_grid_board(3, 2, 0.04, 0.01, 40), 40);
   const auto truth = look_at({0.1, -0.3, 0.35}, {0.05, -0.02, 0.0}, 40);
   auto prints = prints_of(board, truth);
@@ -79,12 +80,12 @@ TEST(BoardTracking, TheWorldMarkerNeedNotBeSeen) {
   EXPECT_LT(world.degrees, 0.3);
   EXPECT_LT(world.millimetres, 0.5);
   const auto below = pose_of_marker(poses, 43).value();
-  const glm::dvec3 expected(core::to_matrix(truth) * glm::dvec4(0, -0.05, 0, 1));
+  const glm::dvec3 expected(common::to_matrix(truth) * glm::dvec4(0, -0.05, 0, 1));
   EXPECT_LT(glm::distance(below.translation, expected), 0.5e-3);
 }
 
 TEST(BoardTracking, AWorldMarkerThatIsNotOnTheBoardStandsInItsMiddle) {
-  const core::CameraModel camera = core::default_camera(800, 600);
+  const common::CameraModel camera = common::default_camera(800, 600);
   const MarkerBoard board = make_charuco_board(4, 3, 0.05, 0.035, 100);
   const auto truth = look_at({0.1, -0.3, 0.35}, {0.0, 0.0, 0.0}, 40);
   MarkerTracker tracker({.ids = {40}, .board = board, .world_marker = 40}, camera);
@@ -94,29 +95,29 @@ TEST(BoardTracking, AWorldMarkerThatIsNotOnTheBoardStandsInItsMiddle) {
   EXPECT_LT(errors_of(poses[0], truth).degrees, 0.3);
   EXPECT_LT(errors_of(poses[0], truth).millimetres, 0.5);
   // Without any marker of the board the world marker's own pose is the next best.
-  const Print own{40, 0.05, core::to_matrix(truth)};
+  const Print own{40, 0.05, common::to_matrix(truth)};
   EXPECT_EQ(tracker.track(photograph(camera, {own})).size(), 1u);
   EXPECT_TRUE(tracker.track(photograph(camera, {})).empty());
 }
 
 TEST(MarkerTracker, MarkersMoveEachOnItsOwn) {
-  const core::CameraModel camera = core::default_camera(800, 600);
+  const common::CameraModel camera = common::default_camera(800, 600);
   MarkerTracker tracker({.ids = {40, 23, 7}}, camera);
   const auto world = look_at({0.0, -0.35, 0.35}, {0.0, 0.0, 0.0}, 40);
   for (int frame = 0; frame < 12; ++frame) {
     // 23 is carried around and turned, 7 comes and goes, 99 is none of our business.
     const double t = 0.08 * frame;
     const glm::dmat4 place =
-        glm::translate(core::to_matrix(world), glm::dvec3(0.1, 0.05 * t, t / 9));
+        glm::translate(common::to_matrix(world), glm::dvec3(0.1, 0.05 * t, t / 9));
     const glm::dmat4 carried = glm::rotate(place, t, glm::normalize(glm::dvec3(1, 2, 5)));
-    const glm::dmat4 aside = glm::translate(core::to_matrix(world), glm::dvec3(-0.1, 0.0, 0.0));
-    const glm::dmat4 other = glm::translate(core::to_matrix(world), glm::dvec3(0.0, 0.1, 0.0));
+    const glm::dmat4 aside = glm::translate(common::to_matrix(world), glm::dvec3(-0.1, 0.0, 0.0));
+    const glm::dmat4 other = glm::translate(common::to_matrix(world), glm::dvec3(0.0, 0.1, 0.0));
     std::vector<Print> prints{
-        {40, 0.05, core::to_matrix(world)}, {23, 0.05, carried}, {99, 0.05, other}};
+        {40, 0.05, common::to_matrix(world)}, {23, 0.05, carried}, {99, 0.05, other}};
     if (frame % 3 != 2) prints.push_back({7, 0.05, aside});
     const auto poses = tracker.track(photograph(camera, prints));
     ASSERT_EQ(poses.size(), frame % 3 != 2 ? 3u : 2u) << frame;
-    core::MarkerPose truth;
+    common::MarkerPose truth;
     truth.rotation = glm::quat_cast(glm::dmat3(carried));
     truth.translation = glm::dvec3(carried[3]);
     const Errors of_carried = errors_of(pose_of_marker(poses, 23).value(), truth);
@@ -129,11 +130,11 @@ TEST(MarkerTracker, MarkersMoveEachOnItsOwn) {
 }
 
 TEST(MarkerTracker, OfARepeatedIdTheOneThatWasThereIsFollowed) {
-  const core::CameraModel camera = core::default_camera(800, 600);
+  const common::CameraModel camera = common::default_camera(800, 600);
   MarkerTracker tracker({.ids = {40}}, camera);
   const auto first = look_at({0.08, -0.35, 0.35}, {0.0, 0.0, 0.0}, 40);
-  const glm::dmat4 nearer = glm::translate(core::to_matrix(first), glm::dvec3(0.1, -0.08, 0.0));
-  const Print own{40, 0.05, core::to_matrix(first)}, intruder{40, 0.05, nearer};
+  const glm::dmat4 nearer = glm::translate(common::to_matrix(first), glm::dvec3(0.1, -0.08, 0.0));
+  const Print own{40, 0.05, common::to_matrix(first)}, intruder{40, 0.05, nearer};
   tracker.track(photograph(camera, {own}));
   const auto poses = tracker.track(photograph(camera, {own, intruder}));
   ASSERT_EQ(poses.size(), 1u);
@@ -147,13 +148,14 @@ TEST(MarkerTracker, OfARepeatedIdTheOneThatWasThereIsFollowed) {
 }
 
 TEST(BoardTracking, ARepeatedMarkerOfTheBoardIsTheOneThatFits) {
-  const core::CameraModel camera = core::default_camera(800, 600);
+  const common::CameraModel camera = common::default_camera(800, 600);
   const MarkerBoard board = placed_on(make_grid_board(2, 1, 0.04, 0.01, 40), 40);
   const auto truth = look_at({0.05, -0.3, 0.35}, {0.0, 0.0, 0.0}, 40);
   MarkerTracker tracker({.ids = {40}, .board = board, .world_marker = 40}, camera);
   auto prints = prints_of(board, truth);
   tracker.track(photograph(camera, prints));
-  prints.push_back({41, 0.06, glm::translate(core::to_matrix(truth), glm::dvec3(0.0, -0.1, 0.0))});
+  prints.push_back(
+      {41, 0.06, glm::translate(common::to_matrix(truth), glm::dvec3(0.0, -0.1, 0.0))});
   const auto poses = tracker.track(photograph(camera, prints));
   ASSERT_EQ(poses.size(), 1u);
   EXPECT_LT(errors_of(poses[0], truth).millimetres, 0.7);

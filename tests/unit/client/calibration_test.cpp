@@ -104,12 +104,12 @@ TEST(Calibration, SaysWhatIsWrongWithAFile) {
 }
 
 TEST(Calibration, ScalesToTheSameViewInAnotherSize) {
-  core::CameraModel camera = core::default_camera(640, 480);
+  common::CameraModel camera = common::default_camera(640, 480);
   camera.cx = 300.0;
   const auto half = fit_to_image(camera, 320, 240);
   // The same direction is seen at the same place of the picture, measured from its corner.
-  const auto whole_pixel = core::project(camera, {0.1, 0.2, 1.0});
-  const auto half_pixel = core::project(half, {0.1, 0.2, 1.0});
+  const auto whole_pixel = common::project(camera, {0.1, 0.2, 1.0});
+  const auto half_pixel = common::project(half, {0.1, 0.2, 1.0});
   ASSERT_TRUE(whole_pixel && half_pixel);
   EXPECT_NEAR((whole_pixel->x + 0.5) / 2, half_pixel->x + 0.5, 1e-12);
   EXPECT_NEAR((whole_pixel->y + 0.5) / 2, half_pixel->y + 0.5, 1e-12);
@@ -122,8 +122,8 @@ TEST(Calibration, RefusesAnImageThatDoesNotHoldThePrincipalPoint) {
 }
 
 TEST(Calibration, DefaultIsSixtyDegreesWide) {
-  const auto camera = core::default_camera(800, 600);
-  EXPECT_EQ(core::describe_defect(camera), "");
+  const auto camera = common::default_camera(800, 600);
+  EXPECT_EQ(common::describe_defect(camera), "");
   // The image's left edge, half a pixel before the first pixel's centre, is 30 degrees off.
   EXPECT_NEAR((-0.5 - camera.cx) / camera.fx, -std::tan(std::acos(-1.0) / 6), 1e-12);
 }

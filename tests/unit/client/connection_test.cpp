@@ -20,7 +20,7 @@ using namespace std::chrono_literals;
 using testing::HasSubstr;
 
 protocol::Hello hello() {
-  return hello_message(core::default_camera(64, 48), "secret", 80);
+  return hello_message(common::default_camera(64, 48), "secret", 80);
 }
 
 std::string frame(std::uint64_t id, std::size_t bytes = 100) {
@@ -232,7 +232,7 @@ TEST(Connection, GivesUpWhereNobodyListens) {
     // A port that was free a moment ago.
     boost::asio::io_context io;
     boost::asio::ip::tcp::acceptor acceptor(io, {boost::asio::ip::make_address("127.0.0.1"), 0});
-    options.port = std::to_string(acceptor.local_endpoint().port());
+    options.server.port = acceptor.local_endpoint().port();
   }
   options.connect_timeout = 300ms;
   Connection connection(options, hello());

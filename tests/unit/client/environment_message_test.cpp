@@ -129,7 +129,7 @@ TEST(Connection, SendsTheEnvironmentAfterEachWelcomeAndBeforeFrames) {
   protocol::Envelope environment;
   environment.mutable_environment()->set_image(std::string(1'000'000, 'e'));
   options.after_welcome = protocol::encode(environment);
-  Connection connection(options, hello_message(core::default_camera(64, 48), "", 0));
+  Connection connection(options, hello_message(common::default_camera(64, 48), "", 0));
   int welcomes = 0;
   bool answered = false;
   for (int i = 0; i < 100 && !answered; ++i) {

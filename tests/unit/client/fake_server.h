@@ -106,7 +106,7 @@ class FakeServer {
           boost::system::error_code ignored;
           acceptor_.close(ignored);
         }) {
-    options_.port = std::to_string(acceptor_.local_endpoint().port());
+    options_.server.port = acceptor_.local_endpoint().port();
   }
   // Scripts end when the client closes: destroy the Connection first.
   ~FakeServer() { thread_.join(); }

@@ -48,7 +48,7 @@ TEST(OneEuro, JitterOfNoiseFallsAsItShould) {
       return glm::dvec3(noise(random), noise(random), noise(random));
     };
     for (int frame = 0; frame < 20000; ++frame) {
-      core::MarkerPose pose;
+      common::MarkerPose pose;
       pose.translation = glm::dvec3(0, 0, 0.5) + random_vector();
       const glm::dvec3 half = 0.5 * random_vector();
       pose.rotation = glm::normalize(glm::dquat(1.0, half.x, half.y, half.z)) * turn;
@@ -93,7 +93,7 @@ TEST(OneEuro, LagOfARampIsTheSteadyStates) {
 TEST(PoseSmoother, ReportsTheLagOfARamp) {
   PoseSmoother smoother({.min_cutoff = 2.0});
   for (int frame = 0; frame < 3000; ++frame) {
-    core::MarkerPose pose;
+    common::MarkerPose pose;
     pose.translation = {0.01 * frame, 0, 0.5};
     pose.rotation = glm::angleAxis(0.02 * frame, glm::dvec3(0, 0, 1));
     smoother.smooth({pose}, at_frame(frame));
@@ -110,7 +110,7 @@ TEST(PoseSmoother, BetaCutsTheLagOfFastMotionOnly) {
     std::mt19937 random(1);
     std::normal_distribution<double> noise(0.0, 0.0003);
     for (int frame = 0; frame < 3000; ++frame) {
-      core::MarkerPose pose;
+      common::MarkerPose pose;
       const bool moves = frame % 300 >= 150;
       const double t = moves ? (frame % 300 - 150) * kStep : 0.0;
       pose.translation = {0.3 * std::sin(t * kTwoPi / 5.0) + noise(random), noise(random), 0.5};
@@ -130,7 +130,7 @@ TEST(PoseSmoother, BetaCutsTheLagOfFastMotionOnly) {
 TEST(PoseSmoother, MarkersAreFilteredEachOnItsOwnAndForgotten) {
   PoseSmoother smoother({.min_cutoff = 0.1});
   const auto pose = [](int marker, double x) {
-    core::MarkerPose made;
+    common::MarkerPose made;
     made.marker = marker;
     made.translation = {x, 0, 0.5};
     return made;

@@ -66,8 +66,9 @@ TEST_P(TutorialPhotograph, HasItsMarkersWhereExpected) {
   if (!photograph) GTEST_SKIP() << "no test data (AMALGAM_TEST_DATA or ../shared/data)";
   ASSERT_FALSE(photograph->image.empty());
   // The expected corners are of the detector without refinement.
-  const MarkerTracker tracker({.dictionary = photograph->dictionary, .refine_corners = false},
-                              core::default_camera(photograph->image.cols, photograph->image.rows));
+  const MarkerTracker tracker(
+      {.dictionary = photograph->dictionary, .refine_corners = false},
+      common::default_camera(photograph->image.cols, photograph->image.rows));
   const auto found = tracker.detect(photograph->image);
   const json& expected = photograph->expected.at("markers");
   EXPECT_EQ(found.size(), expected.size());
@@ -94,7 +95,7 @@ TEST_P(FieldPhotograph, HasMostMarkers) {
   if (!photograph) GTEST_SKIP() << "no test data (AMALGAM_TEST_DATA or ../shared/data)";
   ASSERT_FALSE(photograph->image.empty());
   MarkerTracker tracker({.dictionary = photograph->dictionary},
-                        core::default_camera(photograph->image.cols, photograph->image.rows));
+                        common::default_camera(photograph->image.cols, photograph->image.rows));
   const auto found = tracker.detect(photograph->image);
   const double tolerance = photograph->expected.at("tolerance_px");
   int matched = 0;
@@ -131,10 +132,10 @@ TEST(DeskPhotograph, GivesPosesThatAgreeWithEachOther) {
   // The sheets lie on one desk, so their normals agree. Ten degrees: the sheets are curled, the
   // calibration is of a similar camera and not of this one, and a marker is 40 pixels wide.
   constexpr double kCosineOfTenDegrees = 0.98481;
-  const auto normal = [](const core::MarkerPose& pose) {
+  const auto normal = [](const common::MarkerPose& pose) {
     return pose.rotation * glm::dvec3(0, 0, 1);
   };
-  const auto world = std::ranges::find(poses, 40, &core::MarkerPose::marker);
+  const auto world = std::ranges::find(poses, 40, &common::MarkerPose::marker);
   ASSERT_NE(world, poses.end());
   for (const auto& pose : poses) {
     EXPECT_GT(glm::dot(normal(pose), normal(*world)), kCosineOfTenDegrees)

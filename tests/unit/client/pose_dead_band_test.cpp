@@ -9,8 +9,8 @@ namespace {
 
 constexpr double kLength = 0.05, kDistance = 0.5;  // metres
 
-core::MarkerPose pose_at(double x, int marker = 40) {
-  core::MarkerPose pose;
+common::MarkerPose pose_at(double x, int marker = 40) {
+  common::MarkerPose pose;
   pose.marker = marker;
   pose.translation = {x, 0.0, kDistance};
   return pose;
@@ -18,13 +18,13 @@ core::MarkerPose pose_at(double x, int marker = 40) {
 
 // Metres by which a marker that faces the camera moves one pixel: on the marker. A point one length
 // above it, and so farther from the camera here, moves less.
-double one_pixel(const core::CameraModel& camera) {
+double one_pixel(const common::CameraModel& camera) {
   return kDistance / camera.fx;
 }
 
 class DeadBand : public testing::Test {
  protected:
-  core::CameraModel camera_ = core::default_camera(640, 480);
+  common::CameraModel camera_ = common::default_camera(640, 480);
   PoseDeadBand band_{0.5, kLength, camera_};
 
   double held_x(double x) { return band_.hold({pose_at(x)}).at(0).translation.x; }
@@ -51,7 +51,7 @@ TEST_F(DeadBand, SlowMotionIsFollowed) {
 // Turning about the marker's middle moves its corners, and what stands on it more.
 TEST_F(DeadBand, TurningCounts) {
   band_.hold({pose_at(0.0)});
-  core::MarkerPose turned = pose_at(0.0);
+  common::MarkerPose turned = pose_at(0.0);
   turned.rotation = glm::angleAxis(0.05, glm::dvec3(0, 1, 0));
   EXPECT_EQ(band_.hold({turned}).at(0).rotation, turned.rotation);
   turned.rotation = glm::angleAxis(0.0505, glm::dvec3(0, 1, 0));
@@ -74,9 +74,9 @@ TEST_F(DeadBand, AMarkerThatWasAwayBeginsAnew) {
 }
 
 TEST_F(DeadBand, WhatCannotBeProjectedIsPassedOn) {
-  core::MarkerPose behind = pose_at(0.0);
+  common::MarkerPose behind = pose_at(0.0);
   behind.translation.z = -1.0;
-  core::MarkerPose other = behind;
+  common::MarkerPose other = behind;
   other.translation.x = 1e-9;
   band_.hold({behind});
   EXPECT_EQ(band_.hold({other}).at(0).translation, other.translation);

@@ -8,8 +8,8 @@
 
 #include "client/marker_board.h"
 #include "client/marker_dictionary.h"
-#include "core/camera_model.h"
-#include "core/pose.h"
+#include "common/camera_model.h"
+#include "common/pose.h"
 
 namespace amalgam::client {
 
@@ -21,7 +21,7 @@ struct Print {
 
 // A grey image; later prints lie over earlier ones. Each has a white margin a sixth of its length
 // wide. Lines are smooth: the image is the mean of 4 x 4 samples a pixel.
-inline cv::Mat photograph(const core::CameraModel& camera, const std::vector<Print>& prints,
+inline cv::Mat photograph(const common::CameraModel& camera, const std::vector<Print>& prints,
                           const std::string& dictionary = "DICT_6X6_250") {
   constexpr int kSamples = 4, kMarkerPixels = 480, kMarginPixels = kMarkerPixels / 6;
   const auto known = find_dictionary(dictionary);
@@ -37,7 +37,7 @@ inline cv::Mat photograph(const core::CameraModel& camera, const std::vector<Pri
     for (const auto& [x, y] :
          {std::pair(-half, half), {half, half}, {half, -half}, {-half, -half}}) {
       const glm::dvec3 point(print.camera_from_marker * glm::dvec4(x, y, 0, 1));
-      const glm::dvec2 pixel = (core::project(camera, point).value() + 0.5) * double{kSamples};
+      const glm::dvec2 pixel = (common::project(camera, point).value() + 0.5) * double{kSamples};
       seen.emplace_back(static_cast<float>(pixel.x - 0.5), static_cast<float>(pixel.y - 0.5));
     }
     const std::vector<cv::Point2f> drawn{
@@ -54,12 +54,12 @@ inline cv::Mat photograph(const core::CameraModel& camera, const std::vector<Pri
 }
 
 // The prints of a flat board of square markers.
-inline std::vector<Print> prints_of(const MarkerBoard& board, const core::MarkerPose& pose) {
+inline std::vector<Print> prints_of(const MarkerBoard& board, const common::MarkerPose& pose) {
   std::vector<Print> prints;
   for (const BoardMarker& marker : board.markers) {
     const glm::dvec3 side = marker.corners[1] - marker.corners[0];
     prints.push_back({marker.id, std::sqrt(side.x * side.x + side.y * side.y + side.z * side.z),
-                      core::to_matrix(pose) * frame_of(marker)});
+                      common::to_matrix(pose) * frame_of(marker)});
   }
   return prints;
 }

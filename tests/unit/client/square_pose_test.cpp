@@ -9,7 +9,7 @@
 #include <random>
 
 #include "client/calibration.h"
-#include "client/pose_memory.h"
+#include "client/pose_disambiguation.h"
 #include "client/synthetic_path.h"
 
 namespace amalgam::client {
@@ -17,21 +17,21 @@ namespace {
 
 constexpr double kLength = 0.05;
 
-SquareCorners project_corners(const core::CameraModel& camera, const core::MarkerPose& pose) {
-  const glm::dmat4 camera_from_marker = core::to_matrix(pose);
+SquareCorners project_corners(const common::CameraModel& camera, const common::MarkerPose& pose) {
+  const glm::dmat4 camera_from_marker = common::to_matrix(pose);
   const double half = kLength / 2;
   const std::array<glm::dvec2, 4> corners{
       {{-half, half}, {half, half}, {half, -half}, {-half, -half}}};
   SquareCorners pixels{};
   for (std::size_t i = 0; i < 4; ++i) {
     const glm::dvec3 point(camera_from_marker * glm::dvec4(corners[i], 0.0, 1.0));
-    pixels[i] = core::project(camera, point).value();
+    pixels[i] = common::project(camera, point).value();
   }
   return pixels;
 }
 
 TEST(SquarePose, FindsAnExactPoseThroughADistortingLens) {
-  core::CameraModel camera = core::default_camera(800, 600);
+  common::CameraModel camera = common::default_camera(800, 600);
   camera.distortion = {0.0995485, -0.206384, 0.00754589, 0.00336531};
   const auto truth = look_at({0.12, -0.3, 0.25}, {0.02, 0.03, 0.01}, 7);
   const auto solutions = solve_square(project_corners(camera, truth), kLength, camera);
@@ -43,8 +43,8 @@ TEST(SquarePose, FindsAnExactPoseThroughADistortingLens) {
 }
 
 TEST(SquarePose, AMarkerFacingTheCameraExactlyHasAPose) {
-  const core::CameraModel camera = core::default_camera(801, 601);
-  core::MarkerPose facing;
+  const common::CameraModel camera = common::default_camera(801, 601);
+  common::MarkerPose facing;
   facing.rotation = glm::dquat(0.0, 1.0, 0.0, 0.0);  // half a turn about x
   facing.translation = {0.0, 0.0, 0.4};
   const auto solutions = solve_square(project_corners(camera, facing), kLength, camera);
@@ -55,7 +55,7 @@ TEST(SquarePose, AMarkerFacingTheCameraExactlyHasAPose) {
 }
 
 TEST(SquarePose, NonsenseGivesNothingOrSomethingUsable) {
-  const core::CameraModel camera = core::default_camera(640, 480);
+  const common::CameraModel camera = common::default_camera(640, 480);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<SquareCorners> nonsense{
       {{{10, 10}, {10, 10}, {10, 10}, {10, 10}}},
@@ -66,7 +66,7 @@ TEST(SquarePose, NonsenseGivesNothingOrSomethingUsable) {
   };
   for (const SquareCorners& corners : nonsense) {
     for (const PoseSolution& solution : solve_square(corners, kLength, camera)) {
-      EXPECT_TRUE(core::is_usable(solution.pose));
+      EXPECT_TRUE(common::is_usable(solution.pose));
     }
   }
 }
@@ -81,7 +81,7 @@ struct FlipRates {
 FlipRates measure_flips(int draws, double min_distance, double max_distance) {
   constexpr int kFrames = 20;
   constexpr double kDegree = 3.14159265358979 / 180.0;
-  const core::CameraModel camera = core::default_camera(800, 600);
+  const common::CameraModel camera = common::default_camera(800, 600);
   std::mt19937 random(22);
   std::uniform_real_distribution<double> distance(min_distance, max_distance);
   std::uniform_real_distribution<double> tilt(0.0, 60.0 * kDegree), turn(0.0, 360.0 * kDegree);
@@ -98,11 +98,11 @@ FlipRates measure_flips(int draws, double min_distance, double max_distance) {
     const double apart =
         angle_between(exact_solutions[0].pose.rotation, exact_solutions[1].pose.rotation);
     if (apart < 0.5) continue;
-    const auto is_flipped = [&](const core::MarkerPose& pose) {
+    const auto is_flipped = [&](const common::MarkerPose& pose) {
       return angle_between(pose.rotation, exact_solutions[1].pose.rotation) <
              angle_between(pose.rotation, truth.rotation);
     };
-    PoseMemory memory;
+    PoseDisambiguation memory;
     memory.choose(exact_solutions, 0);  // tracked well until the noise sets in
     for (std::uint64_t frame = 1; frame <= kFrames; ++frame) {
       SquareCorners noisy = exact;
@@ -119,7 +119,7 @@ FlipRates measure_flips(int draws, double min_distance, double max_distance) {
   return {first_flips / count, memory_flips / count};
 }
 
-TEST(PoseMemory, FlipsSeldomerThanTheBetterSolutionAlone) {
+TEST(PoseDisambiguation, FlipsSeldomerThanTheBetterSolutionAlone) {
   const FlipRates near = measure_flips(500, 0.3, 1.0), all = measure_flips(500, 0.3, 5.0);
   std::printf("flip rate at 0.3 to 1 m: %.4f without the rule, %.4f with it\n", near.without,
               near.with);
@@ -139,19 +139,19 @@ PoseSolution solution(double degrees, double error) {
   return made;
 }
 
-double degrees_of(const std::optional<core::MarkerPose>& pose) {
+double degrees_of(const std::optional<common::MarkerPose>& pose) {
   return glm::degrees(glm::angle(pose.value().rotation));
 }
 
-TEST(PoseMemory, TakesTheBetterOneWithoutAPast) {
-  PoseMemory memory;
+TEST(PoseDisambiguation, TakesTheBetterOneWithoutAPast) {
+  PoseDisambiguation memory;
   EXPECT_FALSE(memory.choose({}, 1));
   const std::vector<PoseSolution> both{solution(30, 0.2), solution(60, 0.21)};
   EXPECT_NEAR(degrees_of(memory.choose(both, 1)), 30, 1e-9);
 }
 
-TEST(PoseMemory, KeepsItsSideWhileErrorsAreAlike) {
-  PoseMemory memory;
+TEST(PoseDisambiguation, KeepsItsSideWhileErrorsAreAlike) {
+  PoseDisambiguation memory;
   memory.choose(std::vector{solution(30, 0.1), solution(60, 1.0)}, 1);
   const std::vector<PoseSolution> swapped{solution(60, 0.20), solution(30, 0.39)};
   for (std::uint64_t frame = 2; frame < 20; ++frame) {
@@ -159,8 +159,8 @@ TEST(PoseMemory, KeepsItsSideWhileErrorsAreAlike) {
   }
 }
 
-TEST(PoseMemory, SwitchesOnClearEvidenceInSeveralFrames) {
-  PoseMemory memory;
+TEST(PoseDisambiguation, SwitchesOnClearEvidenceInSeveralFrames) {
+  PoseDisambiguation memory;
   memory.choose(std::vector{solution(30, 0.1), solution(60, 1.0)}, 1);
   const std::vector<PoseSolution> clear{solution(60, 0.1), solution(30, 0.3)};
   const std::vector<PoseSolution> alike{solution(60, 0.1), solution(30, 0.15)};
@@ -171,18 +171,18 @@ TEST(PoseMemory, SwitchesOnClearEvidenceInSeveralFrames) {
   EXPECT_NEAR(degrees_of(memory.choose(clear, 6)), 60, 1e-9);
 }
 
-TEST(PoseMemory, SwitchesAtOnceOnOverwhelmingEvidence) {
-  PoseMemory memory;
+TEST(PoseDisambiguation, SwitchesAtOnceOnOverwhelmingEvidence) {
+  PoseDisambiguation memory;
   memory.choose(std::vector{solution(30, 0.1), solution(60, 1.0)}, 1);
   const std::vector<PoseSolution> sure{solution(60, 0.1), solution(30, 1.5)};
   EXPECT_NEAR(degrees_of(memory.choose(sure, 2)), 60, 1e-9);
 }
 
-TEST(PoseMemory, ForgetsWhatIsLongAgo) {
-  PoseMemory memory;
+TEST(PoseDisambiguation, ForgetsWhatIsLongAgo) {
+  PoseDisambiguation memory;
   memory.choose(std::vector{solution(30, 0.1), solution(60, 1.0)}, 1);
-  EXPECT_TRUE(memory.previous(1 + PoseMemory::kMaxAge));
-  const std::uint64_t later = 2 + PoseMemory::kMaxAge;
+  EXPECT_TRUE(memory.previous(1 + PoseDisambiguation::kMaxAge));
+  const std::uint64_t later = 2 + PoseDisambiguation::kMaxAge;
   EXPECT_FALSE(memory.previous(later));
   const std::vector<PoseSolution> swapped{solution(60, 0.2), solution(30, 0.3)};
   EXPECT_NEAR(degrees_of(memory.choose(swapped, later)), 60, 1e-9);

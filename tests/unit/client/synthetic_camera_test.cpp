@@ -18,8 +18,8 @@ std::shared_ptr<const SyntheticDesk> desk() {
   return shared;
 }
 
-core::CameraModel distorting_camera() {
-  core::CameraModel camera = core::default_camera(800, 600);
+common::CameraModel distorting_camera() {
+  common::CameraModel camera = common::default_camera(800, 600);
   camera.distortion = {0.0995485, -0.206384, 0.00754589, 0.00336531};
   return camera;
 }
@@ -30,7 +30,7 @@ struct PoseErrors {
   int seen = 0, frames = 0;
 };
 
-PoseErrors measure(const core::CameraModel& camera, const core::CameraModel& assumed) {
+PoseErrors measure(const common::CameraModel& camera, const common::CameraModel& assumed) {
   const SyntheticCamera synthetic(camera, desk());
   MarkerTracker tracker({}, assumed);
   PoseErrors errors;
@@ -69,29 +69,29 @@ void expect_good(const PoseErrors& errors) {
 }
 
 TEST(SyntheticCamera, DetectedPosesAreTheTrueOnes) {
-  const core::CameraModel camera = core::default_camera(800, 600);
+  const common::CameraModel camera = common::default_camera(800, 600);
   expect_good(measure(camera, camera));
 }
 
 TEST(SyntheticCamera, DetectedPosesAreTheTrueOnesThroughADistortingLens) {
-  const core::CameraModel camera = distorting_camera();
+  const common::CameraModel camera = distorting_camera();
   expect_good(measure(camera, camera));
 }
 
 TEST(SyntheticCamera, DistortionIsReallyThere) {
   // Whoever ignores the lens gets worse poses: otherwise the test above would prove nothing.
-  core::CameraModel ideal = distorting_camera();
+  common::CameraModel ideal = distorting_camera();
   ideal.distortion = {};
   EXPECT_GT(measure(distorting_camera(), ideal).rms_mm, 1.5 * kRmsMm);
 }
 
 TEST(SyntheticCamera, MarkerEdgesLieWhereThePoseSays) {
-  const core::CameraModel camera = core::default_camera(400, 300);
+  const common::CameraModel camera = common::default_camera(400, 300);
   const auto pose = look_at({0.0, -0.1, 0.3}, {0.0, 0.0, 0.0}, 40);
   const auto image = SyntheticCamera(camera, desk()).render(pose);
   const auto grey_at = [&](double x, double y) {
-    const glm::dvec3 point(core::to_matrix(pose) * glm::dvec4(x, y, 0, 1));
-    const glm::dvec2 pixel = core::project(camera, point).value();
+    const glm::dvec3 point(common::to_matrix(pose) * glm::dvec4(x, y, 0, 1));
+    const glm::dvec2 pixel = common::project(camera, point).value();
     return int{
         image.at(static_cast<int>(std::lround(pixel.x)), static_cast<int>(std::lround(pixel.y))).g};
   };
@@ -104,23 +104,23 @@ TEST(SyntheticCamera, MarkerEdgesLieWhereThePoseSays) {
 }
 
 TEST(SyntheticCamera, FramesAreAFunctionOfTheirNumber) {
-  const SyntheticCamera camera(core::default_camera(160, 120), desk());
+  const SyntheticCamera camera(common::default_camera(160, 120), desk());
   EXPECT_EQ(camera.render(3).image, camera.render(3 + kSyntheticPeriod).image);
   EXPECT_NE(camera.render(3).image, camera.render(4).image);
 }
 
 TEST(SyntheticPath, StaysInFrontAndInReachAndKeepsMoving) {
-  const auto camera = core::default_camera(800, 600);
-  core::MarkerPose last = synthetic_pose(kSyntheticPeriod - 1, 40);
+  const auto camera = common::default_camera(800, 600);
+  common::MarkerPose last = synthetic_pose(kSyntheticPeriod - 1, 40);
   for (std::uint64_t frame = 0; frame < kSyntheticPeriod; ++frame) {
     const auto pose = synthetic_pose(frame, 40);
-    ASSERT_TRUE(core::is_usable(pose));
-    const glm::dvec3 eye(core::rigid_inverse(core::to_matrix(pose))[3]);
+    ASSERT_TRUE(common::is_usable(pose));
+    const glm::dvec3 eye(common::rigid_inverse(common::to_matrix(pose))[3]);
     const double distance = glm::distance(eye, glm::dvec3(0.0, 0.05, 0.03));
     EXPECT_GE(distance, 0.35 - 1e-9);
     EXPECT_LE(distance, 0.60 + 1e-9);
     EXPECT_GT(eye.z, 0.1);
-    const auto pixel = core::project(camera, pose.translation);
+    const auto pixel = common::project(camera, pose.translation);
     ASSERT_TRUE(pixel);
     EXPECT_TRUE(pixel->x > 100 && pixel->x < 700 && pixel->y > 100 && pixel->y < 560);
     const double step = glm::distance(pose.translation, last.translation);
@@ -137,13 +137,13 @@ TEST(SyntheticDesk, RefusesMarkersThatDoNotExistOrFit) {
 }
 
 TEST(MarkerTracker, RefusesImagesOfAnotherSize) {
-  MarkerTracker tracker({}, core::default_camera(640, 480));
-  EXPECT_THROW(tracker.track(core::ImageRgb8(320, 240)), std::invalid_argument);
-  EXPECT_TRUE(tracker.track(core::ImageRgb8(640, 480)).empty());
+  MarkerTracker tracker({}, common::default_camera(640, 480));
+  EXPECT_THROW(tracker.track(common::ImageRgb8(320, 240)), std::invalid_argument);
+  EXPECT_TRUE(tracker.track(common::ImageRgb8(640, 480)).empty());
 }
 
 TEST(MarkerTracker, LooksForTheMarkersItIsAskedFor) {
-  const core::CameraModel camera = core::default_camera(800, 600);
+  const common::CameraModel camera = common::default_camera(800, 600);
   const auto image = SyntheticCamera(camera, desk()).render(0).image;
   EXPECT_EQ(MarkerTracker({.ids = {7, 40}}, camera).track(image).size(), 1u);
   EXPECT_TRUE(MarkerTracker({.ids = {7}}, camera).track(image).empty());

@@ -117,14 +117,14 @@ Outcome view(CameraSource& source, FrameSink* sink, const ViewerOptions& options
     }
   }});
   const std::atomic<bool> stop = false;
-  const auto camera = core::default_camera(source.size().width, source.size().height);
+  const auto camera = common::default_camera(source.size().width, source.size().height);
   Connection connection(server.options(3000ms), hello_message(camera, "", 0));
   outcome.summary = Viewer(options, camera, source, sink, connection, stop).run();
   return outcome;
 }
 
 TEST(Viewer, AccountsForEveryFrameOfTheSyntheticCamera) {
-  SyntheticSource source(core::default_camera(320, 240), true, 90);
+  SyntheticSource source(common::default_camera(320, 240), true, 90);
   const auto outcome = view(source, nullptr, {.frames = 20, .rate = 500.0},
                             [](std::uint64_t id) { return id % 3 == 0 || id == 20; });
   const FrameCounts& counts = outcome.summary.frames;
@@ -169,7 +169,7 @@ TEST(DisplaySink, ADisplayThatCannotBeReachedIsAnErrorAndNotTheEnd) {
 
 TEST(Viewer, RecordsAFilm) {
   const auto folder = fresh_folder();
-  SyntheticSource source(core::default_camera(320, 240), true, 90);
+  SyntheticSource source(common::default_camera(320, 240), true, 90);
   auto sink = make_record_sink(folder / "film.mp4", 25.0);
   view(source, sink.get(), {.frames = 3, .lockstep = true}, [](std::uint64_t) { return true; });
   sink.reset();
@@ -177,7 +177,7 @@ TEST(Viewer, RecordsAFilm) {
 }
 
 TEST(Viewer, SmoothsPosesAndShowsAnEnvironmentsErrorWithoutLosingAFrame) {
-  SyntheticSource source(core::default_camera(160, 120), true, 90);
+  SyntheticSource source(common::default_camera(160, 120), true, 90);
   FakeServer server({[&](FakePeer& peer) {
     peer.welcome();
     protocol::Envelope error;
@@ -188,10 +188,10 @@ TEST(Viewer, SmoothsPosesAndShowsAnEnvironmentsErrorWithoutLosingAFrame) {
   }});
   const std::atomic<bool> stop = false;
   Connection connection(server.options(3000ms),
-                        hello_message(core::default_camera(160, 120), "", 0));
+                        hello_message(common::default_camera(160, 120), "", 0));
   const ViewerSummary summary =
       Viewer({.frames = 12, .lockstep = true, .smoothing = OneEuroOptions{.min_cutoff = 2.0}},
-             core::default_camera(160, 120), source, nullptr, connection, stop)
+             common::default_camera(160, 120), source, nullptr, connection, stop)
           .run();
   EXPECT_EQ(summary.frames.composited, 12u);
   EXPECT_EQ(summary.frames.rejected, 0u);
@@ -204,7 +204,7 @@ TEST(Viewer, SmoothsPosesAndShowsAnEnvironmentsErrorWithoutLosingAFrame) {
 }
 
 TEST(Viewer, LooksForTheMarkersOfTheWelcomeAndOfANewOne) {
-  SyntheticSource source(core::default_camera(320, 240), false, 90);
+  SyntheticSource source(common::default_camera(320, 240), false, 90);
   std::vector<int> poses;
   const auto count = [&](FakePeer& peer) {
     const auto message = peer.receive();
@@ -221,7 +221,7 @@ TEST(Viewer, LooksForTheMarkersOfTheWelcomeAndOfANewOne) {
                        for (int i = 0; i < 3; ++i) count(peer);
                      }});
   const std::atomic<bool> stop = false;
-  const auto camera = core::default_camera(320, 240);
+  const auto camera = common::default_camera(320, 240);
   Connection connection(server.options(3000ms), hello_message(camera, "", 0));
   Viewer({.frames = 4, .rate = 4.0}, camera, source, nullptr, connection, stop).run();
   ASSERT_GE(poses.size(), 2u);
@@ -229,9 +229,9 @@ TEST(Viewer, LooksForTheMarkersOfTheWelcomeAndOfANewOne) {
   EXPECT_EQ(poses.back(), 1);
 }
 
-TEST(FrameLedger, CountsByWhatTheAnswerSays) {
-  FrameLedger ledger;
-  const FrameLedger::Clock::time_point start{};
+TEST(FramesInFlight, CountsByWhatTheAnswerSays) {
+  FramesInFlight ledger;
+  const FramesInFlight::Clock::time_point start{};
   for (std::uint64_t id = 1; id <= 8; ++id) ledger.captured(id, start + id * 10ms);
   ledger.skipped(2);
   ledger.composited(3, true, start + 50ms);  // 1 will never be answered
@@ -255,12 +255,11 @@ TEST(FrameLedger, CountsByWhatTheAnswerSays) {
 }
 
 TEST(Options, ReadsAddressesAndSizes) {
-  ConnectionOptions connection;
-  set_server("[::1]:80", connection);
-  EXPECT_EQ(connection.host, "::1");
-  EXPECT_EQ(connection.port, "80");
-  for (const char* bad : {"", ":80", "host", "host:", "host:0", "host:65536", "host:8x"}) {
-    EXPECT_THROW(set_server(bad, connection), std::runtime_error) << bad;
+  EXPECT_EQ(parse_server("[::1]:80"), (common::HostPort{"::1", 80}));
+  EXPECT_EQ(parse_server("desk.example:7447"), (common::HostPort{"desk.example", 7447}));
+  for (const char* bad :
+       {"", ":80", "host", "host:", "host:0", "host:65536", "host:8x", "::1:80"}) {
+    EXPECT_THROW(parse_server(bad), std::runtime_error) << bad;
   }
   EXPECT_EQ(parse_size("800x600"), cv::Size(800, 600));
   for (const char* bad : {"", "800", "800x", "x600", "0x1", "-1x5", "800x600x", "99999x2"}) {

@@ -18,7 +18,7 @@ class Exr : public testing::Test {
 };
 
 TEST_F(Exr, RgbSurvivesExactly) {
-  core::ImageRgb32f image(5, 3);
+  common::ImageRgb32f image(5, 3);
   for (int y = 0; y < 3; ++y) {
     for (int x = 0; x < 5; ++x) {
       const glm::vec2 p(x, y);
@@ -30,7 +30,7 @@ TEST_F(Exr, RgbSurvivesExactly) {
 }
 
 TEST_F(Exr, ChannelsKeepTheirNamesAndHostileValues) {
-  core::Image32f depth(2, 2, std::numeric_limits<float>::infinity()), mask(2, 2, 1.0f);
+  common::Image32f depth(2, 2, std::numeric_limits<float>::infinity()), mask(2, 2, 1.0f);
   mask.at(1, 0) = std::numeric_limits<float>::quiet_NaN();
   write_exr(file("named.exr"), {{"depth", depth}, {"mask", mask}});
   const auto channels = read_exr_channels(file("named.exr"));
@@ -41,10 +41,10 @@ TEST_F(Exr, ChannelsKeepTheirNamesAndHostileValues) {
 }
 
 TEST_F(Exr, SingleChannelIsLuminanceAndAlphaIsKept) {
-  write_exr(file("y.exr"), core::Image32f(3, 2, 0.25f));
-  EXPECT_EQ(read_exr(file("y.exr")), core::ImageRgb32f(3, 2, glm::vec3(0.25f)));
-  write_exr(file("rgba.exr"), core::ImageRgba32f(3, 2, glm::vec4(1, 2, 3, 4)));
-  EXPECT_EQ(read_exr_channels(file("rgba.exr")).at("A"), core::Image32f(3, 2, 4.0f));
+  write_exr(file("y.exr"), common::Image32f(3, 2, 0.25f));
+  EXPECT_EQ(read_exr(file("y.exr")), common::ImageRgb32f(3, 2, glm::vec3(0.25f)));
+  write_exr(file("rgba.exr"), common::ImageRgba32f(3, 2, glm::vec4(1, 2, 3, 4)));
+  EXPECT_EQ(read_exr_channels(file("rgba.exr")).at("A"), common::Image32f(3, 2, 4.0f));
 }
 
 TEST_F(Exr, ErrorsNameTheFile) {
@@ -54,10 +54,10 @@ TEST_F(Exr, ErrorsNameTheFile) {
   } catch (const ExrError& error) {
     EXPECT_NE(std::string(error.what()).find("missing.exr"), std::string::npos);
   }
-  EXPECT_THROW(write_exr("/nonexistent/folder/a.exr", core::Image32f(1, 1)), ExrError);
-  EXPECT_THROW(write_exr(file("empty.exr"), core::Image32f()), ExrError);
+  EXPECT_THROW(write_exr("/nonexistent/folder/a.exr", common::Image32f(1, 1)), ExrError);
+  EXPECT_THROW(write_exr(file("empty.exr"), common::Image32f()), ExrError);
   EXPECT_THROW(
-      write_exr(file("sizes.exr"), {{"a", core::Image32f(1, 1)}, {"b", core::Image32f(2, 1)}}),
+      write_exr(file("sizes.exr"), {{"a", common::Image32f(1, 1)}, {"b", common::Image32f(2, 1)}}),
       ExrError);
 }
 

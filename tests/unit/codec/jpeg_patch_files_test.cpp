@@ -17,11 +17,11 @@ namespace {
 using namespace std::string_view_literals;
 using tests::Bytes;
 using tests::noisy_picture;
-using tests::SampleColour;
+using tests::SampleColor;
 using tests::SampleKind;
 
 Bytes sample(const SampleKind& kind) {
-  return sample_jpeg(noisy_picture(40, 40, 1, kind.colour == SampleColour::Grey), kind);
+  return sample_jpeg(noisy_picture(40, 40, 1, kind.color == SampleColor::Grey), kind);
 }
 
 bool patchable(const Bytes& jpeg) {
@@ -40,7 +40,7 @@ std::size_t after_marker(const Bytes& jpeg, int code) {
   return static_cast<std::size_t>(found - jpeg.begin()) + 2;
 }
 
-std::optional<Bytes> patched(const Bytes& camera, const core::ImageRgb8& composite) {
+std::optional<Bytes> patched(const Bytes& camera, const common::ImageRgb8& composite) {
   auto coefficients = JpegCoefficients::read(camera);
   if (!coefficients) return std::nullopt;
   const auto across = static_cast<std::size_t>((composite.width() + kPatchTile - 1) / kPatchTile);
@@ -50,9 +50,9 @@ std::optional<Bytes> patched(const Bytes& camera, const core::ImageRgb8& composi
   return patch_jpeg(*std::move(coefficients), composite, flags);
 }
 
-TEST(JpegPatchFiles, OtherColoursThanYCbCrAreDeclined) {
+TEST(JpegPatchFiles, OtherColorsThanYCbCrAreDeclined) {
   EXPECT_TRUE(patchable(sample({})));
-  const SampleKind rgb{.colour = SampleColour::Rgb, .luma = {1, 1}};
+  const SampleKind rgb{.color = SampleColor::Rgb, .luma = {1, 1}};
   EXPECT_NO_THROW(decode_jpeg(sample(rgb)));
   EXPECT_FALSE(patchable(sample(rgb)));
   // Without any marker the names R, G, B say so.
@@ -60,10 +60,10 @@ TEST(JpegPatchFiles, OtherColoursThanYCbCrAreDeclined) {
   EXPECT_FALSE(patchable(sample(named)));
 }
 
-TEST(JpegPatchFiles, ColourOnGreyIsDeclined) {
-  const Bytes grey = sample({.colour = SampleColour::Grey, .luma = {1, 1}});
+TEST(JpegPatchFiles, ColorOnGreyIsDeclined) {
+  const Bytes grey = sample({.color = SampleColor::Grey, .luma = {1, 1}});
   EXPECT_TRUE(patched(grey, noisy_picture(40, 40, 2, true)));
-  core::ImageRgb8 composite = noisy_picture(40, 40, 2, true);
+  common::ImageRgb8 composite = noisy_picture(40, 40, 2, true);
   composite.at(20, 5).y ^= 1;  // in a tile that is not touched
   EXPECT_TRUE(patched(grey, composite));
   composite.at(39, 15).z ^= 1;  // in one that is
@@ -135,7 +135,7 @@ TEST(JpegPatchFiles, ATableWithTwoContentsIsDeclined) {
   EXPECT_FALSE(patchable(jpeg));
 }
 
-TEST(JpegPatchFiles, TheColourProfileIsKeptAndExifIsNot) {
+TEST(JpegPatchFiles, TheColorProfileIsKeptAndExifIsNot) {
   const auto profile = "ICC_PROFILE\0\1\1what red is"sv, exif = "Exif\0\0where it was taken"sv;
   const Bytes camera = tests::with_segment(tests::with_segment(sample({}), 2, profile), 1, exif);
   const auto out = patched(camera, noisy_picture(40, 40, 2));
@@ -169,7 +169,7 @@ TEST(JpegPatchFiles, HostileFiles) {
       const auto* begin = reinterpret_cast<const std::byte*>(text.data());
       const Bytes bytes(begin, begin + text.size());
       ++count;
-      std::optional<core::ImageRgb8> decoded;
+      std::optional<common::ImageRgb8> decoded;
       try {
         decoded = decode_jpeg(bytes);
       } catch (const JpegError&) {

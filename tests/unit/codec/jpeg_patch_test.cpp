@@ -16,21 +16,21 @@ namespace {
 using tests::Bytes;
 using tests::ComponentBlocks;
 using tests::noisy_picture;
-using tests::SampleColour;
+using tests::SampleColor;
 using tests::SampleKind;
 
 using Flags = std::vector<std::uint8_t>;
 
-int tiles_across(const core::ImageRgb8& image) {
+int tiles_across(const common::ImageRgb8& image) {
   return (image.width() + kPatchTile - 1) / kPatchTile;
 }
 
-std::size_t tile_count(const core::ImageRgb8& image) {
+std::size_t tile_count(const common::ImageRgb8& image) {
   return static_cast<std::size_t>(tiles_across(image) *
                                   ((image.height() + kPatchTile - 1) / kPatchTile));
 }
 
-Flags random_flags(const core::ImageRgb8& image, double share) {
+Flags random_flags(const common::ImageRgb8& image, double share) {
   std::mt19937 random(3);
   std::bernoulli_distribution touched(share);
   Flags flags(tile_count(image));
@@ -38,14 +38,14 @@ Flags random_flags(const core::ImageRgb8& image, double share) {
   return flags;
 }
 
-Bytes patched(const Bytes& camera, const core::ImageRgb8& composite, const Flags& flags) {
+Bytes patched(const Bytes& camera, const common::ImageRgb8& composite, const Flags& flags) {
   auto coefficients = JpegCoefficients::read(camera);
   if (!coefficients) return {};
   return patch_jpeg(*std::move(coefficients), composite, flags).value_or(Bytes{});
 }
 
 // Whether any pixel of [x0, x1) x [y0, y1) is in a flagged tile.
-bool flagged(const core::ImageRgb8& image, const Flags& flags, int x0, int y0, int x1, int y1) {
+bool flagged(const common::ImageRgb8& image, const Flags& flags, int x0, int y0, int x1, int y1) {
   for (int y = std::max(y0, 0); y < std::min(y1, image.height()); ++y) {
     for (int x = std::max(x0, 0); x < std::min(x1, image.width()); ++x) {
       const int tile = y / kPatchTile * tiles_across(image) + x / kPatchTile;
@@ -72,8 +72,8 @@ std::vector<Case> cases() {
       {"Yuv420", {.luma = square}, 16, 16},
       {"Yuv422", {.luma = wide}, 16, 8},
       {"Yuv444", {.luma = one}, 8, 8},
-      {"Grey", {.colour = SampleColour::Grey, .luma = one}, 8, 8},
-      {"GreyOfFourBlocks", {.colour = SampleColour::Grey, .luma = square}, 16, 16},
+      {"Grey", {.color = SampleColor::Grey, .luma = one}, 8, 8},
+      {"GreyOfFourBlocks", {.color = SampleColor::Grey, .luma = square}, 16, 16},
       {"FourToTwo", {.luma = {4, 1}, .chroma = {2, 1}}, 32, 8},
       {"RestartMarkers", {.luma = square, .restart_interval = 3}, 16, 16},
       {"ThreeScans", {.luma = square, .scan_for_each_component = true}, 16, 16},
@@ -90,10 +90,10 @@ std::vector<Case> cases() {
 
 class JpegPatch : public testing::TestWithParam<Case> {
  protected:
-  core::ImageRgb8 picture(glm::ivec2 size, unsigned seed) const {
-    return noisy_picture(size.x, size.y, seed, GetParam().kind.colour == SampleColour::Grey);
+  common::ImageRgb8 picture(glm::ivec2 size, unsigned seed) const {
+    return noisy_picture(size.x, size.y, seed, GetParam().kind.color == SampleColor::Grey);
   }
-  Bytes camera(const core::ImageRgb8& image) const { return sample_jpeg(image, GetParam().kind); }
+  Bytes camera(const common::ImageRgb8& image) const { return sample_jpeg(image, GetParam().kind); }
 };
 
 constexpr glm::ivec2 kSizes[]{{640, 320}, {376, 48}, {161, 77}, {17, 33}, {8, 100}, {1, 1}};
@@ -102,7 +102,7 @@ constexpr glm::ivec2 kSizes[]{{640, 320}, {376, 48}, {161, 77}, {17, 33}, {8, 10
 // if everything is touched: it does not depend on what else was encoded with it.
 TEST_P(JpegPatch, BlocksAreTheCamerasOrTheCompositesBitForBit) {
   for (const glm::ivec2& size : kSizes) {
-    const core::ImageRgb8 composite = picture(size, 2);
+    const common::ImageRgb8 composite = picture(size, 2);
     const Bytes before = camera(picture(size, 1));
     const Flags flags = random_flags(composite, 0.3);
     const auto untouched = tests::blocks_of(before);
@@ -129,7 +129,7 @@ TEST_P(JpegPatch, BlocksAreTheCamerasOrTheCompositesBitForBit) {
 // 317 is odd: below an even height the invisible rest of chroma blocks may be filled in other ways.
 TEST_P(JpegPatch, AllTouchedIsWhatLibjpegMakesOfTheWholeComposite) {
   for (const glm::ivec2& size : {glm::ivec2(640, 320), {631, 317}}) {
-    const core::ImageRgb8 composite = picture(size, 2);
+    const common::ImageRgb8 composite = picture(size, 2);
     const Bytes before = camera(picture(size, 1));
     const auto all = tests::blocks_of(patched(before, composite, Flags(tile_count(composite), 1)));
     const auto whole = tests::blocks_of(camera(composite));
@@ -139,12 +139,13 @@ TEST_P(JpegPatch, AllTouchedIsWhatLibjpegMakesOfTheWholeComposite) {
 
 TEST_P(JpegPatch, UntouchedPixelsAreBitEqual) {
   const glm::ivec2 size(161, 77);
-  const core::ImageRgb8 composite = picture(size, 2);
+  const common::ImageRgb8 composite = picture(size, 2);
   const Bytes before = camera(picture(size, 1));
   const Flags flags = random_flags(composite, 0.1);
   const Bytes after = patched(before, composite, flags);
-  const core::ImageRgb8 plain[]{tests::decode_unsmoothed(before), tests::decode_unsmoothed(after)};
-  const core::ImageRgb8 smooth[]{decode_jpeg(before), decode_jpeg(after)};
+  const common::ImageRgb8 plain[]{tests::decode_unsmoothed(before),
+                                  tests::decode_unsmoothed(after)};
+  const common::ImageRgb8 smooth[]{decode_jpeg(before), decode_jpeg(after)};
   const int width = GetParam().mcu_width, height = GetParam().mcu_height;
   int compared = 0;
   for (int y = 0; y < size.y; ++y) {
@@ -163,7 +164,7 @@ TEST_P(JpegPatch, UntouchedPixelsAreBitEqual) {
 }
 
 TEST_P(JpegPatch, ShapeIsKept) {
-  const core::ImageRgb8 image = picture({61, 43}, 1);
+  const common::ImageRgb8 image = picture({61, 43}, 1);
   const Bytes before = camera(image);
   const JpegHeader in = read_jpeg_header(before);
   const JpegHeader out = read_jpeg_header(patched(before, image, random_flags(image, 0.5)));
@@ -176,7 +177,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, JpegPatch, testing::ValuesIn(cases()),
                          [](const auto& tested) { return tested.param.name; });
 
 TEST(JpegPatchHalves, CoefficientsCanBeReadOnAnotherThread) {
-  const core::ImageRgb8 composite = noisy_picture(64, 64, 2);
+  const common::ImageRgb8 composite = noisy_picture(64, 64, 2);
   const Flags flags = random_flags(composite, 0.5);
   const Bytes camera = tests::sample_jpeg(noisy_picture(64, 64, 1), {});
   auto early = std::async(std::launch::async, [bytes = camera] {

@@ -52,9 +52,9 @@ struct Writer {
   unsigned long size = 0;
 };
 
-J_COLOR_SPACE space_of(SampleColour colour) {
-  if (colour == SampleColour::Grey) return JCS_GRAYSCALE;
-  return colour == SampleColour::Rgb ? JCS_RGB : JCS_YCbCr;
+J_COLOR_SPACE space_of(SampleColor color) {
+  if (color == SampleColor::Grey) return JCS_GRAYSCALE;
+  return color == SampleColor::Rgb ? JCS_RGB : JCS_YCbCr;
 }
 
 JBLOCKARRAY row_of(jpeg_decompress_struct& info, jvirt_barray_ptr array, int row) {
@@ -82,7 +82,7 @@ Bytes with_dc(const Bytes& jpeg, int dc) {
 
 }  // namespace
 
-Bytes sample_jpeg(const core::ImageRgb8& image, const SampleKind& kind) {
+Bytes sample_jpeg(const common::ImageRgb8& image, const SampleKind& kind) {
   Writer writer;
   jpeg_compress_struct& info = writer.info;
   info.image_width = static_cast<JDIMENSION>(image.width());
@@ -90,7 +90,7 @@ Bytes sample_jpeg(const core::ImageRgb8& image, const SampleKind& kind) {
   info.input_components = 3;
   info.in_color_space = JCS_RGB;
   jpeg_set_defaults(&info);
-  jpeg_set_colorspace(&info, space_of(kind.colour));
+  jpeg_set_colorspace(&info, space_of(kind.color));
   jpeg_set_quality(&info, kind.quality, TRUE);
   info.write_JFIF_header = kind.jfif ? info.write_JFIF_header : FALSE;
   info.restart_interval = static_cast<unsigned>(kind.restart_interval);
@@ -100,7 +100,7 @@ Bytes sample_jpeg(const core::ImageRgb8& image, const SampleKind& kind) {
     const auto& factors = c == 0 ? kind.luma : kind.chroma;
     component.h_samp_factor = factors[0];
     component.v_samp_factor = factors[1];
-    if (kind.colour == SampleColour::YCbCr) {
+    if (kind.color == SampleColor::YCbCr) {
       component.component_id = kind.ids[static_cast<std::size_t>(c)];
     }
     scans[static_cast<std::size_t>(c)] = {1, {c, 0, 0, 0}, 0, 63, 0, 0};
@@ -110,7 +110,7 @@ Bytes sample_jpeg(const core::ImageRgb8& image, const SampleKind& kind) {
     info.num_scans = info.num_components;
   }
   jpeg_start_compress(&info, TRUE);
-  core::ImageRgb8 copy = image;  // libjpeg's rows are not const
+  common::ImageRgb8 copy = image;  // libjpeg's rows are not const
   while (info.next_scanline < info.image_height) {
     auto row = reinterpret_cast<JSAMPROW>(&copy.at(0, static_cast<int>(info.next_scanline)));
     jpeg_write_scanlines(&info, &row, 1);
@@ -130,16 +130,16 @@ Bytes with_segment(const Bytes& jpeg, int number, std::span<const char> content)
   return out;
 }
 
-core::ImageRgb8 noisy_picture(int width, int height, unsigned seed, bool grey) {
+common::ImageRgb8 noisy_picture(int width, int height, unsigned seed, bool grey) {
   std::mt19937 random(seed);
   std::uniform_int_distribution<int> noise(0, 100);
-  core::ImageRgb8 image(width, height);
+  common::ImageRgb8 image(width, height);
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
-      core::Rgb8& pixel = image.at(x, y);
-      pixel = core::Rgb8(150 * x / width + noise(random), 150 * y / height + noise(random),
-                         static_cast<int>(seed * 40 % 150) + noise(random));
-      if (grey) pixel = core::Rgb8(pixel.x);
+      common::Rgb8& pixel = image.at(x, y);
+      pixel = common::Rgb8(150 * x / width + noise(random), 150 * y / height + noise(random),
+                           static_cast<int>(seed * 40 % 150) + noise(random));
+      if (grey) pixel = common::Rgb8(pixel.x);
     }
   }
   return image;
@@ -167,12 +167,12 @@ std::vector<ComponentBlocks> blocks_of(const Bytes& jpeg) {
   return components;
 }
 
-core::ImageRgb8 decode_unsmoothed(const Bytes& jpeg) {
+common::ImageRgb8 decode_unsmoothed(const Bytes& jpeg) {
   Reader reader(jpeg);
   jpeg_decompress_struct& info = reader.info;
   info.do_fancy_upsampling = FALSE;
   info.out_color_space = JCS_RGB;
-  core::ImageRgb8 image(static_cast<int>(info.image_width), static_cast<int>(info.image_height));
+  common::ImageRgb8 image(static_cast<int>(info.image_width), static_cast<int>(info.image_height));
   jpeg_start_decompress(&info);
   while (info.output_scanline < info.output_height) {
     auto row = reinterpret_cast<JSAMPROW>(&image.at(0, static_cast<int>(info.output_scanline)));

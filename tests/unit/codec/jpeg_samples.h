@@ -7,16 +7,16 @@
 #include <span>
 #include <vector>
 
-#include "core/image.h"
+#include "common/image.h"
 
 namespace amalgam::tests {
 
 using Bytes = std::vector<std::byte>;
 
-enum class SampleColour { Grey, YCbCr, Rgb };
+enum class SampleColor { Grey, YCbCr, Rgb };
 
 struct SampleKind {
-  SampleColour colour = SampleColour::YCbCr;
+  SampleColor color = SampleColor::YCbCr;
   std::array<int, 2> luma{2, 2};  // sampling factors, horizontal and vertical
   std::array<int, 2> chroma{1, 1};
   int quality = 90;
@@ -27,13 +27,13 @@ struct SampleKind {
   int bright_dc = 0;  // if not 0, the DC coefficient of all blocks, possible or not
 };
 
-Bytes sample_jpeg(const core::ImageRgb8& image, const SampleKind& kind);
+Bytes sample_jpeg(const common::ImageRgb8& image, const SampleKind& kind);
 
 // The file with an application segment (marker FF E0 + number) put after its first marker.
 Bytes with_segment(const Bytes& jpeg, int number, std::span<const char> content);
 
 // Noise on a gradient: all coefficients of all blocks have something to tell. Differs by seed.
-core::ImageRgb8 noisy_picture(int width, int height, unsigned seed, bool grey = false);
+common::ImageRgb8 noisy_picture(int width, int height, unsigned seed, bool grey = false);
 
 struct ComponentBlocks {
   int across = 0;  // blocks
@@ -47,6 +47,6 @@ struct ComponentBlocks {
 std::vector<ComponentBlocks> blocks_of(const Bytes& jpeg);
 
 // Decoded with each chroma sample repeated, not smoothed over its neighbours.
-core::ImageRgb8 decode_unsmoothed(const Bytes& jpeg);
+common::ImageRgb8 decode_unsmoothed(const Bytes& jpeg);
 
 }  // namespace amalgam::tests

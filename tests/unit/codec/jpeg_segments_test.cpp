@@ -50,7 +50,7 @@ TEST(JpegSegments, HeightCanBeSet) {
 TEST(JpegEncode, BandsDoNotShow) {
   for (const glm::ivec2& size : {glm::ivec2(1, 1), {200, 64}, {61, 65}, {97, 331}, {300, 256}}) {
     for (const int quality : {30, 90, 95}) {
-      const core::ImageRgb8 image = noisy_picture(size.x, size.y, 1);
+      const common::ImageRgb8 image = noisy_picture(size.x, size.y, 1);
       const int sampling = quality < 95 ? 2 : 1;
       const Bytes whole =
           tests::sample_jpeg(image, {.luma = {sampling, sampling}, .quality = quality});

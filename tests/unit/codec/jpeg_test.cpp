@@ -15,11 +15,11 @@ namespace {
 
 using Bytes = std::vector<std::byte>;
 
-core::ImageRgb8 gradient(int width, int height) {
-  core::ImageRgb8 image(width, height);
+common::ImageRgb8 gradient(int width, int height) {
+  common::ImageRgb8 image(width, height);
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
-      image.at(x, y) = core::Rgb8(255 * x / width, 255 * y / height, 128);
+      image.at(x, y) = common::Rgb8(255 * x / width, 255 * y / height, 128);
     }
   }
   return image;
@@ -67,8 +67,8 @@ std::vector<Bytes> files_in(const std::filesystem::path& folder) {
 }
 
 TEST(Jpeg, RoundTripStaysClose) {
-  const core::ImageRgb8 image = gradient(61, 43);
-  const core::ImageRgb8 decoded = decode_jpeg(encode_jpeg(image, 95));
+  const common::ImageRgb8 image = gradient(61, 43);
+  const common::ImageRgb8 decoded = decode_jpeg(encode_jpeg(image, 95));
   ASSERT_EQ(decoded.size(), image.size());
   int largest = 0;
   for (std::size_t i = 0; i < image.pixels().size(); ++i) {
@@ -124,8 +124,8 @@ TEST(Jpeg, RefusesEveryTruncation) {
 // What lies in memory from an earlier picture must never show in a damaged one (reliability, fault
 // 15).
 TEST(Jpeg, DamagedPicturesNeverShowEarlierPixels) {
-  const Bytes magenta = encode_jpeg(core::ImageRgb8(64, 64, core::Rgb8(255, 0, 255)), 90);
-  const Bytes green = encode_jpeg(core::ImageRgb8(64, 64, core::Rgb8(0, 200, 0)), 90);
+  const Bytes magenta = encode_jpeg(common::ImageRgb8(64, 64, common::Rgb8(255, 0, 255)), 90);
+  const Bytes green = encode_jpeg(common::ImageRgb8(64, 64, common::Rgb8(0, 200, 0)), 90);
   std::mt19937 random(1);
   std::uniform_int_distribution<std::size_t> any_bit(0, green.size() * 8 - 1);
   for (int i = 0; i < 2000; ++i) {
@@ -134,16 +134,16 @@ TEST(Jpeg, DamagedPicturesNeverShowEarlierPixels) {
     const std::size_t bit = any_bit(random);
     flipped[bit / 8] ^= std::byte{1} << (bit % 8);
     try {
-      const core::ImageRgb8 image = decode_jpeg(flipped);
-      // A flip may change colours but cannot make the previous picture.
-      EXPECT_NE(image.at(0, 0), core::Rgb8(254, 0, 254));
+      const common::ImageRgb8 image = decode_jpeg(flipped);
+      // A flip may change colors but cannot make the previous picture.
+      EXPECT_NE(image.at(0, 0), common::Rgb8(254, 0, 254));
     } catch (const JpegError&) {
     }
   }
 }
 
 TEST(Jpeg, EncoderRefusesWhatItCannotDo) {
-  EXPECT_THROW(encode_jpeg(core::ImageRgb8(), 80), JpegError);
+  EXPECT_THROW(encode_jpeg(common::ImageRgb8(), 80), JpegError);
   EXPECT_THROW(encode_jpeg(gradient(4, 4), 0), JpegError);
   EXPECT_THROW(encode_jpeg(gradient(4, 4), 101), JpegError);
 }

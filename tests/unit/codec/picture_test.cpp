@@ -26,14 +26,14 @@ Bytes read(const std::string& path) {
 const std::string kMarble = AMALGAM_SOURCE_DIR "/deploy/scenes/marble.png";
 
 TEST(Picture, ReadsPng) {
-  const core::ImageRgba8 image = decode_picture(read(kMarble));
+  const common::ImageRgba8 image = decode_picture(read(kMarble));
   EXPECT_EQ(image.size(), glm::ivec2(128, 128));
   EXPECT_EQ(image.at(5, 7).w, 255);
 }
 
 TEST(Picture, ReadsJpeg) {
-  const Bytes jpeg = encode_jpeg(core::ImageRgb8(20, 10, core::Rgb8(200, 30, 40)), 95);
-  const core::ImageRgba8 image = decode_picture(jpeg);
+  const Bytes jpeg = encode_jpeg(common::ImageRgb8(20, 10, common::Rgb8(200, 30, 40)), 95);
+  const common::ImageRgba8 image = decode_picture(jpeg);
   EXPECT_EQ(image.size(), glm::ivec2(20, 10));
   EXPECT_NEAR(image.at(3, 3).x, 200, 3);
 }
@@ -63,7 +63,7 @@ TEST(Picture, ReadsRadiance) {
   // Flat RGBE: exponent 128 + 1, mantissa 128 is 1.0.
   const std::string text(
       "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n\x80\x40\x20\x81\x80\x80\x80\x82", 53);
-  const core::ImageRgb32f image = decode_radiance_hdr(bytes_of(text));
+  const common::ImageRgb32f image = decode_radiance_hdr(bytes_of(text));
   ASSERT_EQ(image.size(), glm::ivec2(2, 1));
   EXPECT_EQ(image.at(0, 0), glm::vec3(1.0f, 0.5f, 0.25f));
   EXPECT_EQ(image.at(1, 0), glm::vec3(2.0f));

@@ -11,15 +11,15 @@ namespace {
 
 // A fish-eye that looks along +z and sees the half sphere before it; red left of its axis, green
 // right of it.
-core::FisheyeModel half_sphere(int side) {
+common::FisheyeModel half_sphere(int side) {
   const double half = std::numbers::pi / 2;
   return {side, side, side / 2.0 / half, side / 2.0 / half, (side - 1) / 2.0, (side - 1) / 2.0,
           half};
 }
-core::ImageRgb8 two_halves(int side) {
-  core::ImageRgb8 picture(side, side, core::Rgb8(255, 0, 0));
+common::ImageRgb8 two_halves(int side) {
+  common::ImageRgb8 picture(side, side, common::Rgb8(255, 0, 0));
   for (int y = 0; y < side; ++y) {
-    for (int x = side / 2; x < side; ++x) picture.at(x, y) = core::Rgb8(0, 255, 0);
+    for (int x = side / 2; x < side; ++x) picture.at(x, y) = common::Rgb8(0, 255, 0);
   }
   return picture;
 }

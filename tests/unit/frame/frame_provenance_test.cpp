@@ -28,7 +28,7 @@ float sum(const core::Provenance& shares) {
 scene::Scene make_scene() {
   scene::Scene scene;
   scene.world.marker = kMarker;
-  scene.environment = scene::Environment{core::ImageRgb32f(16, 8, glm::vec3(1.0f)), false};
+  scene.environment = scene::Environment{common::ImageRgb32f(16, 8, glm::vec3(1.0f)), false};
   test_support::add_object(scene, test_support::make_floor(0.0f, 0.12f),
                            test_support::make_diffuse(glm::vec3(0.6f)), scene::Role::Real);
   test_support::add_object(scene,
@@ -46,17 +46,17 @@ core::ProvenanceImage provenance_of(RendererMode mode, const char* samples) {
   settings.exposure = 1.0f;
   parse_samples(samples, settings);
   FrameRenderer renderer(make_scene(), settings);
-  ViewState view({.camera = core::default_camera(kWidth, kHeight),
+  ViewState view({.camera = common::default_camera(kWidth, kHeight),
                   .keep_pixels = true,
                   .keep_provenance = true});
-  const core::ImageRgb8 image(kWidth, kHeight, core::Rgb8(120));
+  const common::ImageRgb8 image(kWidth, kHeight, common::Rgb8(120));
   return renderer.render(view, {image, {default_pose(kMarker)}}).provenance.value();
 }
 
 TEST(FrameProvenance, IsLeftOutUnlessWanted) {
   FrameRenderer renderer(make_scene(), {});
-  ViewState view({.camera = core::default_camera(kWidth, kHeight), .keep_pixels = true});
-  const core::ImageRgb8 image(kWidth, kHeight, core::Rgb8(120));
+  ViewState view({.camera = common::default_camera(kWidth, kHeight), .keep_pixels = true});
+  const common::ImageRgb8 image(kWidth, kHeight, common::Rgb8(120));
   EXPECT_FALSE(renderer.render(view, {image, {default_pose(kMarker)}}).provenance);
 }
 

@@ -19,7 +19,7 @@ constexpr int kMarker = 40, kWidth = 96, kHeight = 72;
 scene::Scene table() {
   scene::Scene scene;
   scene.world.marker = kMarker;
-  scene.environment = scene::Environment{core::ImageRgb32f(16, 8, glm::vec3(1.0f)), false};
+  scene.environment = scene::Environment{common::ImageRgb32f(16, 8, glm::vec3(1.0f)), false};
   add_object(scene, test_support::make_floor(0.0f, 0.5f),
              test_support::make_diffuse(glm::vec3(0.6f)), scene::Role::Real);
   return scene;
@@ -38,24 +38,24 @@ scene::Scene table_with_box_and_glass_ball() {
   return scene;
 }
 
-core::ImageRgb8 stripes() {
-  core::ImageRgb8 image(kWidth, kHeight);
+common::ImageRgb8 stripes() {
+  common::ImageRgb8 image(kWidth, kHeight);
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x)
-      image.at(x, y) = core::Rgb8(120 + x, 200 - y, (x / 8 + y / 8) % 2 * 60 + 90);
+      image.at(x, y) = common::Rgb8(120 + x, 200 - y, (x / 8 + y / 8) % 2 * 60 + 90);
   }
   return image;
 }
 
 FrameOutput render(scene::Scene scene, const FrameInput& input, ViewOptions options = {},
                    const RendererSettings& settings = {}) {
-  if (options.camera.width == 0) options.camera = core::default_camera(kWidth, kHeight);
+  if (options.camera.width == 0) options.camera = common::default_camera(kWidth, kHeight);
   FrameRenderer renderer(std::move(scene), settings);
   ViewState view(options);
   return renderer.render(view, input);
 }
 
-FrameInput jpeg_input(std::vector<core::MarkerPose> poses) {
+FrameInput jpeg_input(std::vector<common::MarkerPose> poses) {
   return {codec::encode_jpeg(stripes(), 90), std::move(poses)};
 }
 
@@ -114,11 +114,11 @@ TEST(FrameRenderer, APictureOfOneRowIsMetered) {
   scene::Scene scene = table();
   add_object(scene, test_support::make_box({-0.1f, 0.0f, -0.1f}, {0.1f, 0.1f, 0.1f}),
              test_support::make_diffuse(glm::vec3(0.5f)), scene::Role::Virtual);
-  core::CameraModel camera = core::default_camera(6000, 1);
+  common::CameraModel camera = common::default_camera(6000, 1);
   camera.fx = camera.fy = 3000.0;
   FrameRenderer renderer(scene, {});
   ViewState view({.camera = camera, .keep_pixels = true});
-  const core::ImageRgb8 grey(camera.width, camera.height, core::Rgb8(128));
+  const common::ImageRgb8 grey(camera.width, camera.height, common::Rgb8(128));
   const FrameOutput output = renderer.render(view, {grey, {default_pose(kMarker)}});
   EXPECT_TRUE(pass(output, "meter").ran);
   EXPECT_EQ(output.pixels.size(), grey.size());
@@ -126,7 +126,7 @@ TEST(FrameRenderer, APictureOfOneRowIsMetered) {
 
 TEST(FrameRenderer, AnotherQualityIsEncodedEvenIfNothingChanged) {
   ViewOptions options;
-  options.camera = core::default_camera(kWidth, kHeight);
+  options.camera = common::default_camera(kWidth, kHeight);
   options.jpeg_quality = 40;
   const FrameInput input = jpeg_input({});
   const FrameOutput output = render(table(), input, options);
@@ -152,10 +152,10 @@ TEST(FrameRenderer, TouchesOnlyWhatIsAffected) {
   scene::Scene scene = table();
   add_box(scene, test_support::make_mirror());
   ViewOptions options;
-  options.camera = core::default_camera(kWidth, kHeight);
+  options.camera = common::default_camera(kWidth, kHeight);
   options.keep_pixels = true;
   const FrameOutput output = render(scene, {stripes(), {default_pose(kMarker)}}, options);
-  const core::ImageRgb8 camera = stripes();
+  const common::ImageRgb8 camera = stripes();
   EXPECT_EQ(output.pixels.at(0, 0), camera.at(0, 0)) << "the corner sees past the table";
   int changed = 0;
   for (std::size_t i = 0; i < camera.pixels().size(); ++i) {
@@ -170,7 +170,7 @@ TEST(FrameRenderer, TouchesOnlyWhatIsAffected) {
 TEST(FrameRenderer, HybridAndRaytraceAgree) {
   const scene::Scene scene = table_with_box_and_glass_ball();
   ViewOptions options;
-  options.camera = core::default_camera(kWidth, kHeight);
+  options.camera = common::default_camera(kWidth, kHeight);
   options.keep_pixels = true;
   RendererSettings settings;
   settings.exposure = 0.8f;
@@ -196,7 +196,7 @@ TEST(FrameRenderer, ImageOfAnotherSizeIsTheClientsFault) {
   add_box(scene, test_support::make_diffuse(glm::vec3(0.5f)));
   FrameInput input = jpeg_input({default_pose(kMarker)});
   ViewOptions options;
-  options.camera = core::default_camera(64, 48);
+  options.camera = common::default_camera(64, 48);
   EXPECT_THROW(render(scene, input, options), codec::JpegError);
 }
 
@@ -204,7 +204,7 @@ TEST(FrameRenderer, SecondFrameRedrawsNoShadowMap) {
   scene::Scene scene = table();
   add_box(scene, test_support::make_mirror());
   FrameRenderer renderer(scene, {});
-  ViewState view({.camera = core::default_camera(kWidth, kHeight)});
+  ViewState view({.camera = common::default_camera(kWidth, kHeight)});
   const FrameInput input = jpeg_input({default_pose(kMarker)});
   const FrameOutput first = renderer.render(view, input), second = renderer.render(view, input);
   EXPECT_TRUE(pass(first, "place instances").ran);
@@ -220,7 +220,7 @@ TEST(FrameRenderer, SecondFrameRedrawsNoShadowMap) {
 TEST(FrameRenderer, AdaptiveSamplesGoWhereTheyMatter) {
   const scene::Scene scene = table_with_box_and_glass_ball();
   ViewOptions options;
-  options.camera = core::default_camera(kWidth, kHeight);
+  options.camera = common::default_camera(kWidth, kHeight);
   options.keep_pixels = true;
   for (const auto mode : {RendererMode::Hybrid, RendererMode::Raytrace}) {
     const auto with_samples = [&](const char* samples) {
@@ -256,13 +256,13 @@ TEST(FrameRenderer, LightsFollowTheEnvironmentAndOnlyIt) {
   RendererSettings settings;
   settings.exposure = 1.0f;
   FrameRenderer renderer(scene, settings);
-  ViewState view({.camera = core::default_camera(kWidth, kHeight), .keep_pixels = true});
+  ViewState view({.camera = common::default_camera(kWidth, kHeight), .keep_pixels = true});
   const FrameInput input{stripes(), {default_pose(kMarker)}};
   const FrameOutput bright = renderer.render(view, input);
   EXPECT_TRUE(pass(bright, "light extraction").ran);
   EXPECT_EQ(pass(renderer.render(view, input), "light extraction").reason,
             "the environment has not changed");
-  renderer.set_environment({core::ImageRgb32f(16, 8, glm::vec3(0.1f)), false});
+  renderer.set_environment({common::ImageRgb32f(16, 8, glm::vec3(0.1f)), false});
   const FrameOutput dark = renderer.render(view, input);
   EXPECT_TRUE(pass(dark, "light extraction").ran);
   EXPECT_TRUE(pass(dark, "shadow maps, virtual opaque").ran) << "made for other lights";
@@ -291,7 +291,7 @@ TEST(FrameRenderer, BuffersAreThoseOfTheThesis) {
   scene::Scene scene = table();
   add_box(scene, test_support::make_mirror());
   FrameRenderer renderer(scene, {});
-  ViewState view({.camera = core::default_camera(kWidth, kHeight)});
+  ViewState view({.camera = common::default_camera(kWidth, kHeight)});
   FrameBuffers buffers;
   renderer.render(view, jpeg_input({default_pose(kMarker)}), &buffers);
   for (const char* name : {"mixed", "real", "environment_reflection", "virtual_mask",

@@ -3,7 +3,7 @@
 
 #include "frame/default_view.h"
 #include "frame/frame_renderer.h"
-#include "scene/gltf_loader.h"
+#include "scene/gltf/loader.h"
 
 namespace amalgam::frame {
 namespace {
@@ -20,8 +20,8 @@ FrameOutput render(const std::string& scene, bool leave_out, RendererMode mode,
   settings.trace.max_depth = 2;
   FrameRenderer renderer(scene::load_scene(AMALGAM_SOURCE_DIR "/deploy/scenes/" + scene + ".gltf"),
                          settings);
-  ViewState view({.camera = core::default_camera(200, 150), .keep_pixels = true});
-  const core::ImageRgb8 grey(200, 150, core::Rgb8(120, 130, 110));
+  ViewState view({.camera = common::default_camera(200, 150), .keep_pixels = true});
+  const common::ImageRgb8 grey(200, 150, common::Rgb8(120, 130, 110));
   return renderer.render(view, {grey, {default_pose(renderer.scene().world.marker)}});
 }
 

@@ -19,7 +19,7 @@ constexpr int kMarker = 40, kWidth = 160, kHeight = 120;
 scene::Scene empty_table() {
   scene::Scene scene;
   scene.world.marker = kMarker;
-  scene.environment = scene::Environment{core::ImageRgb32f(16, 8, glm::vec3(1.0f)), false};
+  scene.environment = scene::Environment{common::ImageRgb32f(16, 8, glm::vec3(1.0f)), false};
   add_object(scene, test_support::make_floor(0.0f, 0.5f),
              test_support::make_diffuse(glm::vec3(0.6f)), scene::Role::Real);
   return scene;
@@ -42,10 +42,10 @@ scene::Scene table_with_glass_ball() {
   return scene;
 }
 
-core::ImageRgb8 stripes() {
-  core::ImageRgb8 image(kWidth, kHeight);
+common::ImageRgb8 stripes() {
+  common::ImageRgb8 image(kWidth, kHeight);
   for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) image.at(x, y) = core::Rgb8(90 + x, 200 - y, x / 8 % 2 * 60);
+    for (int x = 0; x < kWidth; ++x) image.at(x, y) = common::Rgb8(90 + x, 200 - y, x / 8 % 2 * 60);
   }
   return image;
 }
@@ -57,14 +57,14 @@ RendererSettings scaled(float scale) {
   return settings;
 }
 
-core::CameraModel distorting_camera() {
-  core::CameraModel camera = core::default_camera(kWidth, kHeight);
+common::CameraModel distorting_camera() {
+  common::CameraModel camera = common::default_camera(kWidth, kHeight);
   camera.distortion = {0.1, -0.2, 0.0075, 0.0034, 0.0};
   return camera;
 }
 
 FrameOutput render(const scene::Scene& scene, const RendererSettings& settings,
-                   const core::CameraModel& camera = core::default_camera(kWidth, kHeight)) {
+                   const common::CameraModel& camera = common::default_camera(kWidth, kHeight)) {
   FrameRenderer renderer(scene, settings);
   ViewState view({.camera = camera, .keep_pixels = true});
   return renderer.render(view, {codec::encode_jpeg(stripes(), 90), {default_pose(kMarker)}});
@@ -81,7 +81,7 @@ struct Difference {
   double mean = 0.0;
   int far = 0;  // pixels off by more than 8 bytes
 };
-Difference difference(const core::ImageRgb8& a, const core::ImageRgb8& b) {
+Difference difference(const common::ImageRgb8& a, const common::ImageRgb8& b) {
   Difference result;
   for (std::size_t i = 0; i < a.pixels().size(); ++i) {
     const glm::ivec3 d = glm::abs(glm::ivec3(a.pixels()[i]) - glm::ivec3(b.pixels()[i]));
@@ -100,8 +100,8 @@ TEST(RenderScale, OneIsAsIfItWereNotThere) {
 // A plain surface is the same in half the pixels, but for its outline; up to the picture's own
 // edge, which the quad crosses.
 TEST(RenderScale, APlainQuadLooksTheSame) {
-  for (const core::CameraModel& camera :
-       {core::default_camera(kWidth, kHeight), distorting_camera()}) {
+  for (const common::CameraModel& camera :
+       {common::default_camera(kWidth, kHeight), distorting_camera()}) {
     const FrameOutput full = render(table_with_quad(), scaled(1.0f), camera);
     for (const float scale : {0.5f, 0.7f, 0.85f}) {
       const FrameOutput less = render(table_with_quad(), scaled(scale), camera);
@@ -122,7 +122,7 @@ TEST(RenderScale, APlainQuadLooksTheSame) {
 
 // Look-ups are by the real camera: what glass shows of the table is in its place.
 TEST(RenderScale, GlassShowsTheSameTable) {
-  const core::ImageRgb8 camera = stripes();
+  const common::ImageRgb8 camera = stripes();
   const FrameOutput full = render(table_with_glass_ball(), scaled(1.0f)),
                     half = render(table_with_glass_ball(), scaled(0.5f));
   EXPECT_LT(half.statistics.rays.refraction, full.statistics.rays.refraction / 3);
@@ -131,14 +131,14 @@ TEST(RenderScale, GlassShowsTheSameTable) {
 
 TEST(RenderScale, PixelsThatNothingTouchesKeepTheirBytes) {
   const FrameOutput half = render(table_with_glass_ball(), scaled(0.5f));
-  const core::ImageRgb8 camera = codec::decode_jpeg(codec::encode_jpeg(stripes(), 90));
+  const common::ImageRgb8 camera = codec::decode_jpeg(codec::encode_jpeg(stripes(), 90));
   EXPECT_EQ(half.pixels.at(0, 0), camera.at(0, 0));
   EXPECT_EQ(half.pixels.at(kWidth - 1, 0), camera.at(kWidth - 1, 0));
 }
 
 TEST(RenderScale, NothingVirtualGivesTheClientsBytes) {
   FrameRenderer renderer(empty_table(), scaled(0.5f));
-  ViewState view({.camera = core::default_camera(kWidth, kHeight)});
+  ViewState view({.camera = common::default_camera(kWidth, kHeight)});
   const Bytes jpeg = codec::encode_jpeg(stripes(), 90);
   const FrameOutput output = renderer.render(view, {jpeg, {default_pose(kMarker)}});
   EXPECT_TRUE(output.unchanged);
@@ -161,7 +161,7 @@ TEST(TargetFps, FramesSayWhatWasChosen) {
   settings.target_fps = 1000.0;
   settings.coarse_allowed = true;
   FrameRenderer renderer(table_with_glass_ball(), settings);
-  ViewState view({.camera = core::default_camera(kWidth, kHeight)});
+  ViewState view({.camera = common::default_camera(kWidth, kHeight)});
   const FrameInput input{codec::encode_jpeg(stripes(), 90), {default_pose(kMarker)}};
   const FrameOutput first = renderer.render(view, input);
   ASSERT_TRUE(first.statistics.quality);
@@ -174,7 +174,7 @@ TEST(TargetFps, FramesSayWhatWasChosen) {
   EXPECT_TRUE(find_pass(last, "warp")->ran);
   EXPECT_LT(last.statistics.pixels.total, first.statistics.pixels.total / 3);
 
-  ViewState other({.camera = core::default_camera(kWidth, kHeight)});
+  ViewState other({.camera = common::default_camera(kWidth, kHeight)});
   EXPECT_EQ(renderer.render(other, input).statistics.quality->level, 0);
 }
 
@@ -184,7 +184,7 @@ TEST(TargetFps, UnaffectedFramesChangeNothing) {
   settings.target_fps = 1000.0;
   settings.coarse_allowed = true;
   FrameRenderer renderer(table_with_glass_ball(), settings);
-  ViewState view({.camera = core::default_camera(kWidth, kHeight)});
+  ViewState view({.camera = common::default_camera(kWidth, kHeight)});
   const Bytes jpeg = codec::encode_jpeg(stripes(), 90);
   for (int i = 0; i < 4; ++i) renderer.render(view, {jpeg, {default_pose(kMarker)}});
   const int level = view.governor->report().level;

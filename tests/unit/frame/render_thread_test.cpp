@@ -45,11 +45,11 @@ class Inbox {
 };
 
 ViewOptions small_view() {
-  return {.camera = core::default_camera(64, 48)};
+  return {.camera = common::default_camera(64, 48)};
 }
 
 FrameInput grey_frame() {
-  return {codec::encode_jpeg(core::ImageRgb8(64, 48, core::Rgb8(128)), 90), {default_pose(40)}};
+  return {codec::encode_jpeg(common::ImageRgb8(64, 48, common::Rgb8(128)), 90), {default_pose(40)}};
 }
 
 TEST(RenderThread, TellsWhichMarkersToLookFor) {
@@ -118,7 +118,8 @@ TEST(RenderThread, EnvironmentIsReplacedOrRefusedWithAReason) {
                             [&](std::optional<std::string> error) { answer.set_value(error); });
     return answer.get_future().get();
   };
-  const Bytes picture = codec::encode_jpeg(core::ImageRgb8(64, 32, core::Rgb8(200, 40, 40)), 90);
+  const Bytes picture =
+      codec::encode_jpeg(common::ImageRgb8(64, 32, common::Rgb8(200, 40, 40)), 90);
   EXPECT_EQ(set({.image = picture}), std::nullopt);
   EXPECT_TRUE(set({.image = Bytes(10)}).has_value());
   EXPECT_TRUE(

@@ -9,7 +9,7 @@
 
 #include "frame/default_view.h"
 #include "frame/frame_renderer.h"
-#include "scene/gltf_loader.h"
+#include "scene/gltf/loader.h"
 
 namespace amalgam::frame {
 namespace {
@@ -21,12 +21,12 @@ scene::Scene load(const std::string& name) {
 }
 
 // Another picture for each number: brighter, with stripes elsewhere.
-core::ImageRgb8 camera_image(int number) {
-  core::ImageRgb8 image(kWidth, kHeight);
+common::ImageRgb8 camera_image(int number) {
+  common::ImageRgb8 image(kWidth, kHeight);
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x) {
       image.at(x, y) =
-          core::Rgb8(60 + 20 * number + (x + 5 * number) / 8 % 2 * 50, 100 + y / 2, 90 + x / 4);
+          common::Rgb8(60 + 20 * number + (x + 5 * number) / 8 % 2 * 50, 100 + y / 2, 90 + x / 4);
     }
   }
   return image;
@@ -42,7 +42,7 @@ class Pair {
         anew_view_(options()) {}
 
   // Compares, and returns what the one that may reuse gave.
-  FrameOutput render(int number, const std::vector<core::MarkerPose>& poses) {
+  FrameOutput render(int number, const std::vector<common::MarkerPose>& poses) {
     const FrameInput input{camera_image(number), poses};
     FrameOutput output = reusing_.render(view_, input);
     const FrameOutput expected = anew_.render(anew_view_, input);
@@ -57,16 +57,16 @@ class Pair {
     return output;
   }
 
-  core::MarkerPose pose() const { return default_pose(reusing_.scene().world.marker); }
+  common::MarkerPose pose() const { return default_pose(reusing_.scene().world.marker); }
   void set_environment(float radiance) {
     for (FrameRenderer* renderer : {&reusing_, &anew_}) {
-      renderer->set_environment({core::ImageRgb32f(16, 8, glm::vec3(radiance)), false});
+      renderer->set_environment({common::ImageRgb32f(16, 8, glm::vec3(radiance)), false});
     }
   }
 
  private:
   static ViewOptions options() {
-    return {.camera = core::default_camera(kWidth, kHeight), .keep_pixels = true};
+    return {.camera = common::default_camera(kWidth, kHeight), .keep_pixels = true};
   }
   static RendererSettings without(RendererSettings settings) {
     settings.reuse_still_frames = false;
@@ -113,9 +113,9 @@ TEST_P(StillFrames, AreTheSamePictureAsMadeAnew) {
     if (number < 2) continue;
     EXPECT_EQ(output.statistics.rays.cast(), 0u);
     for (const auto& [pass, did_run] : ran(output)) {
-      const bool looks_up_colours = pass == "decode" || pass == "exposure" || pass == "resolve" ||
-                                    pass == "look up" || pass == "merge" || pass == "composite";
-      EXPECT_TRUE(!did_run || looks_up_colours) << pass;
+      const bool looks_up_colors = pass == "decode" || pass == "exposure" || pass == "resolve" ||
+                                   pass == "look up" || pass == "merge" || pass == "composite";
+      EXPECT_TRUE(!did_run || looks_up_colors) << pass;
     }
   }
 }
@@ -139,7 +139,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, StillFrames,
 
 TEST(StillFrame, AMovedMarkerMakesAllAnew) {
   Pair pair("complex", {});
-  core::MarkerPose pose = pair.pose();
+  common::MarkerPose pose = pair.pose();
   for (int number = 0; number < 3; ++number) pair.render(number, {pose});
   pose.translation.x += 1e-9;
   EXPECT_FALSE(reused(pair.render(3, {pose})));
@@ -151,7 +151,7 @@ TEST(StillFrame, AMovedMarkerMakesAllAnew) {
 
 TEST(StillFrame, AMarkerThatNothingStandsOnMayMove) {
   Pair pair("complex", {});
-  core::MarkerPose other = pair.pose();
+  common::MarkerPose other = pair.pose();
   other.marker = 77;
   for (int number = 0; number < 4; ++number) {
     other.translation.x += 0.01;
@@ -169,7 +169,7 @@ TEST(StillFrame, AnotherEnvironmentMakesAllAnew) {
   EXPECT_FALSE(reused(pair.render(4, {pair.pose()})));
 }
 
-// Refinement looks for edges in the camera's colours.
+// Refinement looks for edges in the camera's colors.
 TEST(StillFrame, RefinedFramesAreMadeAnew) {
   RendererSettings settings;
   settings.adaptive_threshold = kDefaultAdaptiveThreshold;
@@ -180,8 +180,8 @@ TEST(StillFrame, RefinedFramesAreMadeAnew) {
 
 TEST(StillFrame, WhoWantsProvenanceGetsIt) {
   FrameRenderer renderer(load("mirror"), {});
-  ViewState view({.camera = core::default_camera(kWidth, kHeight), .keep_pixels = true});
-  const core::MarkerPose pose = default_pose(renderer.scene().world.marker);
+  ViewState view({.camera = common::default_camera(kWidth, kHeight), .keep_pixels = true});
+  const common::MarkerPose pose = default_pose(renderer.scene().world.marker);
   for (int number = 0; number < 3; ++number) renderer.render(view, {camera_image(number), {pose}});
   view.options.keep_provenance = true;
   EXPECT_TRUE(renderer.render(view, {camera_image(3), {pose}}).provenance.has_value());

@@ -9,7 +9,7 @@
 
 #include "frame/default_view.h"
 #include "frame/frame_renderer.h"
-#include "scene/tone_map.h"
+#include "scene/light/tone_map.h"
 #include "support/scene_builders.h"
 
 namespace amalgam::frame {
@@ -41,13 +41,13 @@ scene::Scene make_tile() {
   return scene;
 }
 
-FrameOutput render(RendererMode mode, const char* samples, const core::ImageRgb8& image) {
+FrameOutput render(RendererMode mode, const char* samples, const common::ImageRgb8& image) {
   RendererSettings settings;
   settings.mode = mode;
   settings.exposure = 1.0f;
   parse_samples(samples, settings);
   FrameRenderer renderer(make_tile(), settings);
-  ViewState view({.camera = core::default_camera(kWidth, kHeight), .keep_pixels = true});
+  ViewState view({.camera = common::default_camera(kWidth, kHeight), .keep_pixels = true});
   return renderer.render(view, {image, {default_pose(kMarker)}});
 }
 
@@ -75,10 +75,10 @@ TEST_P(SuperSampling, BrightOnDarkIsCoverageTimesTheObject) {
   const bool adaptive = samples[0] == 'a';
   const int n = adaptive ? 9 : std::atoi(samples);
   const std::set<int> allowed = bytes_of_coverages(n);
-  const FrameOutput output = render(mode, samples, core::ImageRgb8(kWidth, kHeight));
+  const FrameOutput output = render(mode, samples, common::ImageRgb8(kWidth, kHeight));
   int full = 0, partly = 0;
   double coverage = 0.0;
-  for (const core::Rgb8& pixel : output.pixels.pixels()) {
+  for (const common::Rgb8& pixel : output.pixels.pixels()) {
     EXPECT_TRUE(allowed.contains(pixel.r)) << int{pixel.r};
     EXPECT_EQ(pixel.r, pixel.b);
     full += pixel.r == *allowed.rbegin() ? 1 : 0;
@@ -89,9 +89,10 @@ TEST_P(SuperSampling, BrightOnDarkIsCoverageTimesTheObject) {
   EXPECT_EQ(partly > 0, n > 1);
   // The perimeter only: a dark or bright seam between the halves would add its length.
   EXPECT_LT(partly, 160);
-  const FrameOutput finest = render(RendererMode::Raytrace, "16", core::ImageRgb8(kWidth, kHeight));
+  const FrameOutput finest =
+      render(RendererMode::Raytrace, "16", common::ImageRgb8(kWidth, kHeight));
   double exact = 0.0;
-  for (const core::Rgb8& pixel : finest.pixels.pixels()) {
+  for (const common::Rgb8& pixel : finest.pixels.pixels()) {
     exact += scene::srgb_decode(pixel).r / 0.9;
   }
   EXPECT_NEAR(coverage, exact, 0.03 * exact) << "the tile's area, pixels";
@@ -101,9 +102,9 @@ TEST_P(SuperSampling, BrightOnDarkIsCoverageTimesTheObject) {
 TEST_P(SuperSampling, DarkOnBrightNeitherGlowsNorLosesTheCamera) {
   const auto [mode, samples] = GetParam();
   const FrameOutput output =
-      render(mode, samples, core::ImageRgb8(kWidth, kHeight, core::Rgb8(255)));
+      render(mode, samples, common::ImageRgb8(kWidth, kHeight, common::Rgb8(255)));
   const int object = scene::srgb_encode(glm::vec3(0.9f)).r;
-  for (const core::Rgb8& pixel : output.pixels.pixels()) {
+  for (const common::Rgb8& pixel : output.pixels.pixels()) {
     ASSERT_GE(pixel.r, object);
     ASSERT_EQ(pixel.r, pixel.g);
   }

@@ -17,11 +17,11 @@ TEST(ShaderLibrary, CompilesForEverySetOfFeatures) {
   const EglContext context;
   // Nothing, everything, and each alone: branches do not interact.
   for (const unsigned bits : {0u, 31u, 1u, 2u, 4u, 8u, 16u}) {
-    const SceneFeatures features{.textures = (bits & 1) != 0,
-                                 .real_opaque = (bits & 2) != 0,
-                                 .virtual_opaque = (bits & 4) != 0,
-                                 .real_glass = (bits & 8) != 0,
-                                 .virtual_glass = (bits & 16) != 0};
+    const ShaderFeatures features{.textures = (bits & 1) != 0,
+                                  .real_opaque = (bits & 2) != 0,
+                                  .virtual_opaque = (bits & 4) != 0,
+                                  .real_glass = (bits & 8) != 0,
+                                  .virtual_glass = (bits & 16) != 0};
     EXPECT_NO_THROW(ShaderLibrary{features}) << bits;
   }
 }
@@ -46,10 +46,10 @@ TEST(ShaderSources, HaveNoIncludesLeft) {
   EXPECT_THROW(shaders::source("missing.frag"), std::out_of_range);
 }
 
-TEST(SceneFeatures, SayWhatTheSceneLacks) {
+TEST(ShaderFeatures, SayWhatTheSceneLacks) {
   scene::Scene scene;
   add_object(scene, make_floor(0.0f, 1.0f), make_diffuse(glm::vec3(0.5f)), scene::Role::Real);
-  SceneFeatures features = find_features(scene);
+  ShaderFeatures features = find_features(scene);
   EXPECT_TRUE(features.real_opaque);
   EXPECT_FALSE(features.virtual_opaque || features.real_glass || features.virtual_glass ||
                features.textures);

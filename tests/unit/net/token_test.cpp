@@ -1,27 +1,11 @@
 #include "net/token.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-#include <stdexcept>
+#include <string>
 
 namespace amalgam::net {
 namespace {
-
-class TokenFile : public testing::Test {
- protected:
-  std::filesystem::path write(const std::string& text) {
-    std::ofstream(path_, std::ios::binary) << text;
-    return path_;
-  }
-  void TearDown() override { std::filesystem::remove(path_); }
-
-  const std::string name_ = testing::UnitTest::GetInstance()->current_test_info()->name();
-  const std::filesystem::path path_ =
-      std::filesystem::path(testing::TempDir()) / ("token_" + name_);
-};
 
 TEST(Token, EqualOnlyIfEveryByteIs) {
   EXPECT_TRUE(tokens_equal("opensesame", "opensesame"));
@@ -30,22 +14,6 @@ TEST(Token, EqualOnlyIfEveryByteIs) {
   EXPECT_FALSE(tokens_equal("opensesame ", "opensesame"));
   EXPECT_FALSE(tokens_equal("", "opensesame"));
   EXPECT_FALSE(tokens_equal(std::string("a\0b", 3), std::string("a\0c", 3)));
-}
-
-TEST_F(TokenFile, WhiteSpaceAtTheEndsIsNoPartOfIt) {
-  EXPECT_EQ(read_token_file(write(" open sesame\r\n")), "open sesame");
-}
-
-TEST_F(TokenFile, MustHoldSomethingButNotTooMuch) {
-  EXPECT_THROW(read_token_file(write("\n \n")), std::runtime_error);
-  EXPECT_EQ(read_token_file(write(std::string(1024, 's'))).size(), 1024u);
-  EXPECT_THROW(read_token_file("/nonexistent/token"), std::runtime_error);
-  try {
-    read_token_file(write(std::string(1025, 's')));
-    FAIL();
-  } catch (const std::runtime_error& error) {
-    EXPECT_THAT(error.what(), Not(testing::HasSubstr("ssss")));
-  }
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ TEST(Wire, EnvironmentsAreEquirectangularUnlessALensIsGiven) {
   EXPECT_EQ(environment_from(plain).image.size(), 4u);
   const frame::EnvironmentInput input = environment_from(fisheye_environment());
   EXPECT_EQ(input.projection, Projection::Fisheye);
-  EXPECT_EQ(input.fisheye, (core::FisheyeModel{1000, 900, 300, 301, 500, 450, 1.6}));
+  EXPECT_EQ(input.fisheye, (common::FisheyeModel{1000, 900, 300, 301, 500, 450, 1.6}));
   EXPECT_NEAR(input.world_from_fisheye.y, 0.6, 1e-15);
   EXPECT_NEAR(input.world_from_fisheye.z, 0.8, 1e-15);
 }
@@ -123,7 +123,7 @@ TEST(Wire, EnvironmentsThatCannotBeUsedAreRefused) {
 TEST(Wire, APoseWithoutRotationIsNotUsable) {
   protocol::CameraFrame frame;
   frame.add_poses()->set_marker(7);
-  EXPECT_FALSE(core::is_usable(poses_from(frame).front()));
+  EXPECT_FALSE(common::is_usable(poses_from(frame).front()));
 }
 
 // Of what a governed frame was rendered with nothing is lost on the way, and others say nothing.

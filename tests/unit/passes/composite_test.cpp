@@ -1,15 +1,15 @@
-#include "passes/composite.h"
+#include "passes/image/composite.h"
 
 #include <gtest/gtest.h>
 
-#include "scene/tone_map.h"
+#include "scene/light/tone_map.h"
 
 namespace amalgam::passes {
 namespace {
 
-core::ImageRgb8 all_bytes() {
-  core::ImageRgb8 image(256, 1);
-  for (int i = 0; i < 256; ++i) image.at(i, 0) = core::Rgb8(i, 255 - i, (7 * i) % 256);
+common::ImageRgb8 all_bytes() {
+  common::ImageRgb8 image(256, 1);
+  for (int i = 0; i < 256; ++i) image.at(i, 0) = common::Rgb8(i, 255 - i, (7 * i) % 256);
   return image;
 }
 
@@ -34,9 +34,9 @@ TEST(Composite, CoversAddsAndMixes) {
   layers.set(0, 0, glm::vec4(0.2f, 0.4f, 0.6f, 1.0f), glm::vec3(0.0f));
   layers.set(1, 0, glm::vec4(0.1f, 0.2f, 0.3f, 0.5f), glm::vec3(0.0f));
   layers.set(2, 0, glm::vec4(0.0f), glm::vec3(-0.1f, 0.0f, 0.1f));
-  const core::ImageRgb8 camera(3, 1, scene::srgb_encode(glm::vec3(0.5f)));
+  const common::ImageRgb8 camera(3, 1, scene::srgb_encode(glm::vec3(0.5f)));
   const glm::vec3 seen = scene::srgb_decode(camera.at(0, 0));
-  const core::ImageRgb8 out = composite(layers, camera);
+  const common::ImageRgb8 out = composite(layers, camera);
   EXPECT_EQ(out.at(0, 0), scene::srgb_encode(glm::vec3(0.2f, 0.4f, 0.6f)));
   EXPECT_EQ(out.at(1, 0), scene::srgb_encode(glm::vec3(0.1f, 0.2f, 0.3f) + 0.5f * seen));
   EXPECT_EQ(out.at(2, 0), scene::srgb_encode(seen + glm::vec3(-0.1f, 0.0f, 0.1f)));
@@ -47,7 +47,7 @@ TEST(Composite, HalfCoverageHasNoRim) {
   core::Layers layers = empty_layers(1, 1);
   layers.set(0, 0, glm::vec4(glm::vec3(0.45f), 0.5f),
              glm::vec3(0.0f));  // an object of 0.9 over half the pixel
-  const core::ImageRgb8 out = composite(layers, core::ImageRgb8(1, 1, core::Rgb8(0)));
+  const common::ImageRgb8 out = composite(layers, common::ImageRgb8(1, 1, common::Rgb8(0)));
   EXPECT_EQ(out.at(0, 0), scene::srgb_encode(glm::vec3(0.45f)));
 }
 
@@ -55,9 +55,9 @@ TEST(Composite, ClampsToWhatAByteHolds) {
   core::Layers layers = empty_layers(2, 1);
   layers.set(0, 0, glm::vec4(0.0f), glm::vec3(5.0f));
   layers.set(1, 0, glm::vec4(0.0f), glm::vec3(-5.0f));
-  const core::ImageRgb8 out = composite(layers, core::ImageRgb8(2, 1, core::Rgb8(100)));
-  EXPECT_EQ(out.at(0, 0), core::Rgb8(255));
-  EXPECT_EQ(out.at(1, 0), core::Rgb8(0));
+  const common::ImageRgb8 out = composite(layers, common::ImageRgb8(2, 1, common::Rgb8(100)));
+  EXPECT_EQ(out.at(0, 0), common::Rgb8(255));
+  EXPECT_EQ(out.at(1, 0), common::Rgb8(0));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "passes/diffuse.h"
+#include "passes/raster/diffuse.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ namespace {
 
 using namespace test_support;
 
-// Eq. 4.6 in double, written from the formula in passes/diffuse.h.
+// Eq. 4.6 in double, written from the formula in passes/raster/diffuse.h.
 glm::dvec3 phong(const glm::dvec3& base_color, double metallic, double roughness,
                  const glm::dvec3& normal, const glm::dvec3& view, const glm::dvec3& to_light,
                  const glm::dvec3& irradiance) {
@@ -34,14 +34,14 @@ glm::dvec3 phong(const glm::dvec3& base_color, double metallic, double roughness
 }
 
 struct Camera {
-  core::CameraModel model = make_pinhole(64, 48, 60.0);
+  common::CameraModel model = make_pinhole(64, 48, 60.0);
   glm::dmat4 camera_from_world = look_at({0.1, 0.5, 0.4}, {0.02, 0.0, 0.0});
-  glm::dvec3 eye() const { return glm::dvec3(core::rigid_inverse(camera_from_world)[3]); }
+  glm::dvec3 eye() const { return glm::dvec3(common::rigid_inverse(camera_from_world)[3]); }
   // Where a pixel sees the plane y = 0.
   glm::dvec3 floor_point(int x, int y) const {
     const glm::dvec3 direction(
-        core::rigid_inverse(camera_from_world) *
-        glm::dvec4(core::pixel_direction(model, glm::dvec2(x, y)).value(), 0.0));
+        common::rigid_inverse(camera_from_world) *
+        glm::dvec4(common::pixel_direction(model, glm::dvec2(x, y)).value(), 0.0));
     return eye() - direction * (eye().y / direction.y);
   }
 };
@@ -150,15 +150,15 @@ TEST(DiffusePass, InterpolatesNormalsThroughNonUniformScale) {
   add_object(scene, make_sphere({0, 0, 0}, 1.0f, 256, 128), make_diffuse(glm::vec3(0.6f)),
              scene::Role::Virtual, glm::scale(glm::mat4(1.0f), axes));
   const glm::dvec3 eye(0.0, 0.6, 0.4);
-  const core::CameraModel camera = make_pinhole(64, 64, 100.0);
+  const common::CameraModel camera = make_pinhole(64, 64, 100.0);
   const glm::dmat4 camera_from_world = look_at(eye, {0, 0, 0});
   RasterRig rig(scene);
   const scene::Light sun = make_sun({0.5f, 1.0f, 0.5f});
   const RasterFrame frame = rig.render(make_view(scene, camera, camera_from_world, {sun}));
-  const glm::dmat4 world_from_camera = core::rigid_inverse(camera_from_world);
+  const glm::dmat4 world_from_camera = common::rigid_inverse(camera_from_world);
   for (const glm::ivec2& pixel : {glm::ivec2(32, 32), glm::ivec2(40, 28), glm::ivec2(25, 36)}) {
     const glm::dvec3 d(world_from_camera *
-                       glm::dvec4(core::pixel_direction(camera, glm::dvec2(pixel)).value(), 0.0));
+                       glm::dvec4(common::pixel_direction(camera, glm::dvec2(pixel)).value(), 0.0));
     const glm::dvec3 o = eye / glm::dvec3(axes), v = d / glm::dvec3(axes);
     const double a = glm::dot(v, v), b = glm::dot(o, v), c = glm::dot(o, o) - 1.0;
     const glm::dvec3 p = eye + d * ((-b - std::sqrt(b * b - a * c)) / a);
@@ -175,9 +175,9 @@ TEST(DiffusePass, ReadsTexturesAsTheTracerDoes) {
   for (const scene::Wrap wrap : {scene::Wrap::Repeat, scene::Wrap::Mirror, scene::Wrap::Clamp}) {
     scene::Scene scene;
     scene::Texture texture;
-    texture.texels = core::ImageRgba8(7, 5);
+    texture.texels = common::ImageRgba8(7, 5);
     unsigned noise = 1;
-    for (core::Rgba8& texel : texture.texels.pixels()) {
+    for (common::Rgba8& texel : texture.texels.pixels()) {
       for (int i = 0; i < 3; ++i) {
         noise = noise * 1664525u + 1013904223u;
         texel[i] = static_cast<std::uint8_t>(noise >> 24);

@@ -1,11 +1,11 @@
-#include "passes/exposure_meter.h"
+#include "passes/image/exposure_meter.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "passes/exposure.h"
-#include "scene/tone_map.h"
+#include "passes/image/exposure.h"
+#include "scene/light/tone_map.h"
 #include "support/scene_builders.h"
 
 namespace amalgam::passes {
@@ -14,38 +14,39 @@ namespace {
 constexpr int kWidth = 64, kHeight = 48;
 
 MeterGrid constant_grid(float radiance, int step = 4) {
-  return {core::ImageRgba32f(kWidth / step, kHeight / step, glm::vec4(glm::vec3(radiance), 1.0f)),
+  return {common::ImageRgba32f(kWidth / step, kHeight / step, glm::vec4(glm::vec3(radiance), 1.0f)),
           step, 1};
 }
 
-std::optional<float> meter(const MeterGrid& grid, const core::ImageRgb8& image) {
-  const core::CameraModel camera = test_support::make_pinhole(kWidth, kHeight, 50.0);
+std::optional<float> meter(const MeterGrid& grid, const common::ImageRgb8& image) {
+  const common::CameraModel camera = test_support::make_pinhole(kWidth, kHeight, 50.0);
   return meter_exposure(grid, camera, camera, image);
 }
 
 // A grey card: tone-mapping the model with the metered exposure gives what the camera shows.
 TEST(ExposureMeter, MakesTheModelLookLikeTheCameraImage) {
-  const core::ImageRgb8 image(kWidth, kHeight, core::Rgb8(150));
+  const common::ImageRgb8 image(kWidth, kHeight, common::Rgb8(150));
   for (const float radiance : {1e-4f, 0.3f, 40.0f}) {
     const auto exposure = meter(constant_grid(radiance), image);
     ASSERT_TRUE(exposure);
-    EXPECT_EQ(scene::srgb_encode(scene::tone_map(glm::vec3(radiance), *exposure)), core::Rgb8(150));
+    EXPECT_EQ(scene::srgb_encode(scene::tone_map(glm::vec3(radiance), *exposure)),
+              common::Rgb8(150));
   }
 }
 
 TEST(ExposureMeter, DoesNotMoveWithWhatTheModelDoesNotKnow) {
-  core::ImageRgb8 image(kWidth, kHeight, core::Rgb8(150));
+  common::ImageRgb8 image(kWidth, kHeight, common::Rgb8(150));
   const auto expected = meter(constant_grid(0.5f), image);
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth / 3; ++x)
-      image.at(x, y) = core::Rgb8(20);  // a third is a dark thing
+      image.at(x, y) = common::Rgb8(20);  // a third is a dark thing
   }
   EXPECT_EQ(meter(constant_grid(0.5f), image), expected);
 }
 
 // numerics B18: black, infinite and missing pixels change nothing; nothing at all gives nothing.
 TEST(ExposureMeter, UnusablePixelsDoNotCount) {
-  const core::ImageRgb8 image(kWidth, kHeight, core::Rgb8(150));
+  const common::ImageRgb8 image(kWidth, kHeight, common::Rgb8(150));
   const auto expected = meter(constant_grid(0.5f), image);
   MeterGrid grid = constant_grid(0.5f);
   grid.real.at(0, 0) = glm::vec4(std::numeric_limits<float>::infinity());
@@ -54,7 +55,7 @@ TEST(ExposureMeter, UnusablePixelsDoNotCount) {
   grid.real.at(0, 1) = glm::vec4(100, 100, 100, 0);  // not a real surface
   EXPECT_EQ(meter(grid, image), expected);
   EXPECT_FALSE(meter(constant_grid(0.0f), image));
-  EXPECT_FALSE(meter(constant_grid(0.5f), core::ImageRgb8(kWidth, kHeight, core::Rgb8(0))));
+  EXPECT_FALSE(meter(constant_grid(0.5f), common::ImageRgb8(kWidth, kHeight, common::Rgb8(0))));
 }
 
 TEST(ExposureMemory, TakesTheFirstReadingAndApproachesLaterOnes) {

@@ -30,7 +30,7 @@ Attenuation measure(const scene::Mesh& glass, const scene::Material& material, s
   scene::Scene with_glass = scene;
   add_object(with_glass, glass, material, role);
   // Looks from below the glass at the middle of the floor.
-  const core::CameraModel camera = make_pinhole(16, 16, 64.0);
+  const common::CameraModel camera = make_pinhole(16, 16, 64.0);
   const glm::dmat4 camera_from_world = look_at({0.05, 0.05, 0.05}, {0, 0, 0});
   RasterRig bare_rig(scene), rig(with_glass);
   const RasterFrame bare = bare_rig.render(make_view(scene, camera, camera_from_world, {light}));

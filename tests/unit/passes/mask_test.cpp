@@ -1,4 +1,4 @@
-#include "passes/mask.h"
+#include "passes/raster/mask.h"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ double edge(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& p) {
 // Every sample is inside or outside as the formula for its place says: the right way up, centred on
 // integers, and sample i of n at x - 1/2 + (i + 1/2) / n.
 TEST(MaskPass, CoversTheSamplesThatTheCameraModelSays) {
-  core::CameraModel camera = make_pinhole(40, 30, 50.0);
+  common::CameraModel camera = make_pinhole(40, 30, 50.0);
   camera.fy = 47.0;
   camera.cx = 17.3;  // nothing about it is symmetric
   camera.cy = 12.9;
@@ -38,7 +38,7 @@ TEST(MaskPass, CoversTheSamplesThatTheCameraModelSays) {
   std::array<glm::dvec2, 3> corners{};
   for (std::size_t i = 0; i < 3; ++i) {
     const glm::dvec3 p(camera_from_world * glm::dvec4(glm::dvec3(triangle.positions[i]), 1.0));
-    corners[i] = core::project(camera, p).value();
+    corners[i] = common::project(camera, p).value();
   }
   RasterRig rig(scene);
   for (const int n : {1, 2, 4}) {
@@ -76,7 +76,7 @@ TEST(MaskPass, ShowsTheNearestSurfaceWhateverTheOrder) {
   add_object(scene, make_quad({-0.5f, 0.1f, 0.0f}, {0.5f, 0, 0}, {0, 0, -1.0f}), make_mirror(),
              scene::Role::Virtual);
   RasterRig rig(scene);
-  const core::CameraModel camera = make_pinhole(64, 64, 32.0);  // the floor fills it from 1 m
+  const common::CameraModel camera = make_pinhole(64, 64, 32.0);  // the floor fills it from 1 m
   const RasterFrame frame =
       rig.render(make_view(scene, camera, look_at({0, 1, 0}, {0, 0, 0}, {0, 0, -1}), {}));
   EXPECT_EQ(frame.mask->flags.at(2, 32), kSurface);
@@ -92,7 +92,7 @@ TEST(MaskPass, ShowsTheNearestSurfaceWhateverTheOrder) {
 TEST(MaskPass, LeavesHolesWhereTheTextureIsTransparent) {
   scene::Scene scene;
   scene::Texture texture;
-  texture.texels = core::ImageRgba8(2, 1, {255, 255, 255, 255});
+  texture.texels = common::ImageRgba8(2, 1, {255, 255, 255, 255});
   texture.texels.at(0, 0).w = 0;
   texture.wrap_u = texture.wrap_v = scene::Wrap::Clamp;
   scene.textures.push_back(texture);
@@ -113,7 +113,7 @@ TEST(MaskPass, SaysWhatIsNotInView) {
   add_object(scene, make_floor(0.0f, 1.0f), make_diffuse(glm::vec3(0.5f)), scene::Role::Real);
   add_object(scene, make_sphere({0, 0.1f, 0}, 0.1f), make_mirror(), scene::Role::Virtual);
   RasterRig rig(scene);
-  const core::CameraModel camera = make_pinhole(32, 32, 32.0);
+  const common::CameraModel camera = make_pinhole(32, 32, 32.0);
   const auto lights = {make_sun({0, 1, 0})};
   // Away from everything.
   const RasterFrame away =

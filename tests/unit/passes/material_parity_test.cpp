@@ -1,4 +1,4 @@
-// Textures, vertex colours and bent normals show the same through the rasteriser and the tracer.
+// Textures, vertex colors and bent normals show the same through the rasteriser and the tracer.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,8 +18,8 @@ using namespace test_support;
 scene::Texture noise_texture(int width, int height, scene::TexelEncoding encoding,
                              const glm::ivec3& low, const glm::ivec3& high) {
   std::uint32_t noise = static_cast<std::uint32_t>(width + 7 * height);
-  scene::Texture texture{.texels = core::ImageRgba8(width, height), .mips = {}};
-  for (core::Rgba8& texel : texture.texels.pixels()) {
+  scene::Texture texture{.texels = common::ImageRgba8(width, height), .mips = {}};
+  for (common::Rgba8& texel : texture.texels.pixels()) {
     for (int i = 0; i < 3; ++i) {
       noise = noise * 1664525u + 1013904223u;
       texel[i] = static_cast<std::uint8_t>(low[i] + static_cast<int>(noise >> 24) *
@@ -59,7 +59,7 @@ scene::Scene everything_scene(const glm::mat4& world_from_mesh) {
   return scene;
 }
 
-core::ImageRgb32f trace_mixed(const scene::Scene& scene, const RenderView& view) {
+common::ImageRgb32f trace_mixed(const scene::Scene& scene, const RenderView& view) {
   trace::EmbreeScene embree(scene);
   embree.place(view.scene);
   const trace::TraceRequest request{.scene = embree,
@@ -80,7 +80,7 @@ int wrong_pixels(const glm::mat4& world_from_mesh) {
                 {make_sun(glm::normalize(glm::vec3(0.3f, 1.0f, 0.2f)))});
   RasterRig rig(scene);
   const RasterFrame frame = rig.render(view);
-  const core::ImageRgb32f traced = trace_mixed(scene, view);
+  const common::ImageRgb32f traced = trace_mixed(scene, view);
   int wrong = 0, seen = 0;
   for (int y = 0; y < 72; ++y) {
     for (int x = 0; x < 96; ++x) {

@@ -1,4 +1,4 @@
-#include "passes/merge.h"
+#include "passes/image/merge.h"
 
 #include <gtest/gtest.h>
 

@@ -9,8 +9,8 @@ std::optional<T> realise(graph::FrameGraph& graph, graph::Handle<T> handle) {
   return value != nullptr ? std::optional<T>(*value) : std::nullopt;
 }
 
-std::optional<core::ImageRgba32f> read(graph::FrameGraph& graph,
-                                       graph::Handle<passes::DeviceImage> handle) {
+std::optional<common::ImageRgba32f> read(graph::FrameGraph& graph,
+                                         graph::Handle<passes::DeviceImage> handle) {
   const auto image = realise(graph, handle);
   return image ? std::optional(passes::read_rgba(*image)) : std::nullopt;
 }

@@ -10,15 +10,15 @@
 
 #include "gl/egl_context.h"
 #include "graph/frame_graph.h"
-#include "passes/diffuse.h"
-#include "passes/effect.h"
-#include "passes/mask.h"
-#include "passes/raster_context.h"
-#include "passes/read_back.h"
-#include "passes/real_depth.h"
-#include "passes/resolve.h"
-#include "passes/shadow_maps.h"
-#include "passes/upload_view.h"
+#include "passes/raster/diffuse.h"
+#include "passes/raster/effect.h"
+#include "passes/raster/mask.h"
+#include "passes/raster/raster_context.h"
+#include "passes/raster/read_back.h"
+#include "passes/raster/real_depth.h"
+#include "passes/raster/resolve.h"
+#include "passes/raster/shadow_maps.h"
+#include "passes/raster/upload_view.h"
 
 namespace amalgam::test_support {
 
@@ -27,7 +27,7 @@ struct RasterFrame {
   std::optional<passes::SampleMask> mask;
   std::optional<passes::SampleCounts> counts;
   std::optional<passes::RealDepth> real_depth;
-  std::optional<core::ImageRgba32f> mixed, real;  // I_m, I_r
+  std::optional<common::ImageRgba32f> mixed, real;  // I_m, I_r
   std::vector<std::size_t> reached;
   std::optional<passes::Layers> layers;
   std::uint64_t nonfinite = 0;

@@ -1,4 +1,4 @@
-#include "passes/reached_tiles.h"
+#include "passes/raster/reached_tiles.h"
 
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ TEST(CasterCells, GiveNoLessThanAnyTexelWithin) {
 struct RandomFrame {
   scene::Scene scene;
   std::vector<scene::Light> lights;
-  core::CameraModel camera;
+  common::CameraModel camera;
   glm::dmat4 camera_from_world{1.0};
   int samples_per_side = 1;
 
@@ -155,7 +155,7 @@ TEST(ReachedTiles, AreAllThatAnyPointsLookUpIsShadedIn) {
     const gl::GpuScene gpu_scene(frame.scene);
     const ShadowLayout layout = make_shadow_layout(view, gpu_scene, 128);
     const core::TileGrid grid({view.ideal.width, view.ideal.height});
-    const glm::dmat4 world_from_camera = core::rigid_inverse(view.scene.camera_from_world);
+    const glm::dmat4 world_from_camera = common::rigid_inverse(view.scene.camera_from_world);
     std::vector<DepthRange> depths(grid.count());
     for (DepthRange& range : depths) {
       range.nearest = 0.05 + uniform(random);

@@ -1,4 +1,4 @@
-#include "passes/real_depth.h"
+#include "passes/raster/real_depth.h"
 
 #include <gtest/gtest.h>
 
@@ -14,12 +14,12 @@ namespace {
 using namespace test_support;
 
 // z where a pixel's ray meets the plane y = height, in the camera frame.
-double plane_depth(const core::CameraModel& camera, const glm::dmat4& camera_from_world,
+double plane_depth(const common::CameraModel& camera, const glm::dmat4& camera_from_world,
                    const glm::dvec2& pixel, double height) {
-  const glm::dmat4 world_from_camera = core::rigid_inverse(camera_from_world);
+  const glm::dmat4 world_from_camera = common::rigid_inverse(camera_from_world);
   const glm::dvec3 eye(world_from_camera[3]);
   const glm::dvec3 direction(world_from_camera *
-                             glm::dvec4(core::pixel_direction(camera, pixel).value(), 0.0));
+                             glm::dvec4(common::pixel_direction(camera, pixel).value(), 0.0));
   return (height - eye.y) / direction.y;  // direction has z = 1 in the camera frame
 }
 
@@ -30,7 +30,7 @@ TEST(RealDepthPass, GivesTheExactDepthOfRealSurfacesOnly) {
              scene::Role::Real);
   add_object(scene, make_quad({-0.1f, 0.05f, 0}, {0.05f, 0, 0}, {0, 0, -0.05f}), make_mirror(),
              scene::Role::Virtual);
-  const core::CameraModel camera = make_pinhole(160, 120, 150.0);
+  const common::CameraModel camera = make_pinhole(160, 120, 150.0);
   const glm::dmat4 camera_from_world = look_at({0.0, 0.5, 0.5}, {0, 0, 0});
   RasterRig rig(scene);
   const RasterFrame frame = rig.render(make_view(scene, camera, camera_from_world, {}, 2));

@@ -1,4 +1,4 @@
-#include "passes/refine.h"
+#include "passes/image/refine.h"
 
 #include <gtest/gtest.h>
 
@@ -13,9 +13,10 @@ core::Layers empty_layers() {
   return core::Layers({kWidth, kHeight});
 }
 trace::FirstHits one_surface() {
-  return {core::Image<std::uint32_t>(kWidth, kHeight, 3u), core::Image32f(kWidth, kHeight, 1.0f)};
+  return {common::Image<std::uint32_t>(kWidth, kHeight, 3u),
+          common::Image32f(kWidth, kHeight, 1.0f)};
 }
-int count(const core::Image<std::uint8_t>& edges) {
+int count(const common::Image<std::uint8_t>& edges) {
   int marked = 0;
   for (const std::uint8_t edge : edges.pixels()) marked += edge;
   return marked;
@@ -28,7 +29,7 @@ TEST(FindEdges, NothingVirtualHasNoEdges) {
   EXPECT_EQ(count(find_edges(empty_layers(), &hits, 0.03f)), 0);
 }
 
-TEST(FindEdges, AStepInColourMarksBothSides) {
+TEST(FindEdges, AStepInColorMarksBothSides) {
   core::Layers layers = empty_layers();
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 4; x < kWidth; ++x) layers.set(x, y, glm::vec4(0.0f), glm::vec3(-0.1f));
@@ -40,7 +41,7 @@ TEST(FindEdges, AStepInColourMarksBothSides) {
   EXPECT_EQ(count(find_edges(layers, nullptr, 0.2f)), 0) << "below the threshold";
 }
 
-TEST(FindEdges, AnotherObjectOrDistanceIsAnEdgeAtAnyColour) {
+TEST(FindEdges, AnotherObjectOrDistanceIsAnEdgeAtAnyColor) {
   core::Layers layers = empty_layers();
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x) {

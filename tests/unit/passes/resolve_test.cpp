@@ -1,4 +1,4 @@
-#include "passes/resolve.h"
+#include "passes/raster/resolve.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "scene/tone_map.h"
+#include "scene/light/tone_map.h"
 #include "support/scene_builders.h"
 #include "unit/passes/raster_rig.h"
 
@@ -17,7 +17,7 @@ using namespace test_support;
 
 struct Desk {
   scene::Scene scene;
-  core::CameraModel camera = make_pinhole(60, 45, 60.0);
+  common::CameraModel camera = make_pinhole(60, 45, 60.0);
   glm::dmat4 camera_from_world = look_at({0.1, 0.5, 0.4}, {0.0, 0.0, 0.0});
   Desk() {
     add_object(scene, make_floor(0.0f, 0.3f), make_diffuse(glm::vec3(0.5f)), scene::Role::Real);
@@ -130,7 +130,7 @@ TEST(ResolvePass, GivesTheSameAveragesForAnyNumberOfSamples) {
   const Layers one = render(1);
   for (const int n : {2, 4}) {
     const Layers more = render(n);
-    const core::ImageRgba32f one_over = one.over_image(), more_over = more.over_image();
+    const common::ImageRgba32f one_over = one.over_image(), more_over = more.over_image();
     for (std::size_t i = 0; i < one_over.pixels().size(); ++i) {
       ASSERT_LT(glm::distance(one_over.pixels()[i], more_over.pixels()[i]), 1e-6f);
     }
@@ -146,8 +146,8 @@ TEST(ResolvePass, ReplacesWhatIsNotFinite) {
   view.lights[1].intensity = glm::vec3(std::numeric_limits<float>::quiet_NaN(), 1.0f, 1.0f);
   const RasterFrame frame = rig.render(view);
   EXPECT_GT(frame.nonfinite, 0u);
-  const core::ImageRgba32f over = frame.layers->over_image();
-  const core::ImageRgb32f difference = frame.layers->difference_image();
+  const common::ImageRgba32f over = frame.layers->over_image();
+  const common::ImageRgb32f difference = frame.layers->difference_image();
   for (const glm::vec4& pixel : over.pixels()) {
     for (int i = 0; i < 4; ++i) ASSERT_TRUE(std::isfinite(pixel[i]));
   }
@@ -162,7 +162,7 @@ TEST(EffectPass, SeesAShadowOfWhatIsNotInView) {
   add_object(scene, make_box({-0.05f, 0.5f, -0.05f}, {0.05f, 0.55f, 0.05f}),
              make_diffuse(glm::vec3(0.5f)), scene::Role::Virtual);
   RasterRig rig(scene);
-  const core::CameraModel camera = make_pinhole(32, 32, 64.0);
+  const common::CameraModel camera = make_pinhole(32, 32, 64.0);
   const glm::dmat4 below = look_at({0.0, 0.3, 0.05}, {0.0, 0.0, 0.0});
   const RasterFrame shadow = rig.render(make_view(scene, camera, below, {make_sun({0, 1, 0})}));
   EXPECT_EQ(shadow.counts->virtual_surface, 0u);

@@ -1,4 +1,4 @@
-#include "passes/shadow_maps.h"
+#include "passes/raster/shadow_maps.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ using namespace test_support;
 // From above, 1 m over a floor of 1 m x 1 m that fills the image: pixel x sees x_world = (x + 1/2)
 // / 128 - 1/2, row y likewise z.
 struct FloorView {
-  core::CameraModel camera = make_pinhole(128, 128, 128.0);
+  common::CameraModel camera = make_pinhole(128, 128, 128.0);
   glm::dmat4 camera_from_world = look_at({0, 1, 0}, {0, 0, 0}, {0, 0, -1});
   glm::dvec3 point(int x, int y) const {
     return {(x + 0.5) / 128.0 - 0.5, 0.0, (y + 0.5) / 128.0 - 0.5};
@@ -112,7 +112,7 @@ TEST(ShadowMaps, OfRealObjectsDarkenBothImagesAlike) {
 TEST(ShadowMaps, GiveNoAcneOnLitSurfaces) {
   // A tilted box and a finely cut sphere, lit from low and from high: whatever faces the light and
   // is convex is lit in full, so mixed and unshadowed shading must agree.
-  const core::CameraModel camera = make_pinhole(200, 150, 300.0);
+  const common::CameraModel camera = make_pinhole(200, 150, 300.0);
   for (const glm::vec3& to_light : {glm::vec3(1.0f, 0.15f, 0.3f), glm::vec3(0.2f, 1.0f, 0.6f)}) {
     scene::Scene scene;
     add_object(scene, make_box({-0.1f, -0.1f, -0.1f}, {0.1f, 0.1f, 0.1f}),

@@ -6,7 +6,7 @@ namespace amalgam::protocol {
 namespace {
 
 TEST(Geometry, CamerasComeBack) {
-  core::CameraModel camera;
+  common::CameraModel camera;
   camera.width = 640;
   camera.height = 480;
   camera.fx = 600.5;
@@ -20,21 +20,21 @@ TEST(Geometry, CamerasComeBack) {
 }
 
 TEST(Geometry, PosesKeepTheirOrderOfComponents) {
-  core::MarkerPose pose;
+  common::MarkerPose pose;
   pose.marker = 7;
   pose.rotation = glm::dquat(0.5, 0.1, 0.2, 0.3);  // w first
   pose.translation = {1, 2, 3};
   const Pose message = to_message(pose);
   EXPECT_EQ(message.rotation().w(), 0.5);
   EXPECT_EQ(message.rotation().x(), 0.1);
-  const core::MarkerPose back = from_message(message);
+  const common::MarkerPose back = from_message(message);
   EXPECT_EQ(back.marker, 7);
   EXPECT_EQ(back.rotation, pose.rotation);
   EXPECT_EQ(back.translation, pose.translation);
 }
 
 TEST(Geometry, FisheyeLensesComeBack) {
-  const core::FisheyeModel lens{1000, 900, 300, 301, 500, 450, 1.6};
+  const common::FisheyeModel lens{1000, 900, 300, 301, 500, 450, 1.6};
   EXPECT_EQ(from_message(to_message(lens)), lens);
 }
 

@@ -9,8 +9,8 @@
 namespace amalgam::scene {
 namespace {
 
-core::MarkerPose pose_of(int marker, const glm::dvec3& translation) {
-  core::MarkerPose pose;
+common::MarkerPose pose_of(int marker, const glm::dvec3& translation) {
+  common::MarkerPose pose;
   pose.marker = marker;
   pose.rotation = glm::normalize(glm::dquat(0.2, 0.9, -0.1, 0.1));
   pose.translation = translation;
@@ -33,12 +33,12 @@ TEST(AnchoredScene, WithoutPosesNothingIsAnchored) {
 }
 
 TEST(AnchoredScene, PosesOfOtherMarkersAreIgnored) {
-  const core::MarkerPose poses[] = {pose_of(99, {0, 0, 1})};
+  const common::MarkerPose poses[] = {pose_of(99, {0, 0, 1})};
   EXPECT_TRUE(anchor_scene(three_markers(), poses).instances.empty());
 }
 
 TEST(AnchoredScene, OnlyWhatStandsOnSeenMarkersIsAnchored) {
-  const core::MarkerPose poses[] = {pose_of(40, {0, 0, 1}), pose_of(7, {0.2, 0, 1})};
+  const common::MarkerPose poses[] = {pose_of(40, {0, 0, 1}), pose_of(7, {0.2, 0, 1})};
   const AnchoredScene anchored = anchor_scene(three_markers(), poses);
   EXPECT_EQ(anchored.world_marker, 40);
   ASSERT_EQ(anchored.instances.size(), 2u);
@@ -49,14 +49,14 @@ TEST(AnchoredScene, OnlyWhatStandsOnSeenMarkersIsAnchored) {
 TEST(AnchoredScene, TheWorldMarkersObjectsDoNotMoveAtAll) {
   const Scene scene = three_markers();
   for (const double x : {0.1, 0.123456789}) {
-    const core::MarkerPose poses[] = {pose_of(40, {x, 0, 1})};
+    const common::MarkerPose poses[] = {pose_of(40, {x, 0, 1})};
     const AnchoredScene anchored = anchor_scene(scene, poses);
     EXPECT_EQ(anchored.instances[0].world_from_mesh, scene.instances[0].anchor_from_mesh);
   }
 }
 
 TEST(AnchoredScene, EveryObjectIsWhereItsOwnMarkerIs) {
-  const core::MarkerPose poses[] = {pose_of(40, {0, 0, 1}), pose_of(23, {0.3, -0.1, 1.2})};
+  const common::MarkerPose poses[] = {pose_of(40, {0, 0, 1}), pose_of(23, {0.3, -0.1, 1.2})};
   const AnchoredScene anchored = anchor_scene(three_markers(), poses);
   ASSERT_EQ(anchored.instances.size(), 2u);
   const glm::dvec4 seen = anchored.camera_from_world *
@@ -66,16 +66,16 @@ TEST(AnchoredScene, EveryObjectIsWhereItsOwnMarkerIs) {
 }
 
 TEST(AnchoredScene, AnotherMarkerStandsInForTheWorld) {
-  const core::MarkerPose poses[] = {pose_of(23, {0.3, 0, 1}), pose_of(7, {0, 0, 1})};
+  const common::MarkerPose poses[] = {pose_of(23, {0.3, 0, 1}), pose_of(7, {0, 0, 1})};
   const AnchoredScene anchored = anchor_scene(three_markers(), poses);
   EXPECT_EQ(anchored.world_marker, 7);
   EXPECT_EQ(anchored.instances.size(), 2u);
 }
 
 TEST(AnchoredScene, UnusablePosesAreIgnored) {
-  core::MarkerPose bad = pose_of(40, {0, 0, 1});
+  common::MarkerPose bad = pose_of(40, {0, 0, 1});
   bad.translation.x = std::numeric_limits<double>::quiet_NaN();
-  const core::MarkerPose poses[] = {bad};
+  const common::MarkerPose poses[] = {bad};
   EXPECT_TRUE(anchor_scene(three_markers(), poses).instances.empty());
 }
 
@@ -87,7 +87,7 @@ TEST(AnchoredScene, PunctualLightsComeAlong) {
   light.anchor_from_light[3] = glm::vec4(0, 1, 0, 1);
   scene.punctual_lights = {light, light};
   scene.punctual_lights[1].marker = 23;
-  const core::MarkerPose poses[] = {pose_of(40, {0, 0, 1})};
+  const common::MarkerPose poses[] = {pose_of(40, {0, 0, 1})};
   const AnchoredScene anchored = anchor_scene(scene, poses);
   ASSERT_EQ(anchored.punctual_lights.size(), 1u);
   EXPECT_EQ(anchored.punctual_lights[0].kind, Light::Kind::Spot);

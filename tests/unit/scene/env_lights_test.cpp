@@ -1,4 +1,4 @@
-#include "scene/env_lights.h"
+#include "scene/light/env_lights.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "scene/environment_loader.h"
+#include "scene/gltf/environment_loader.h"
 #include "support/test_data.h"
 
 namespace amalgam::scene {
@@ -23,7 +23,7 @@ Light from(const glm::vec3& direction, const glm::vec3& intensity = glm::vec3(1.
 
 Environment constant(int width, int height, const glm::vec3& radiance) {
   Environment environment;
-  environment.radiance = core::ImageRgb32f(width, height, radiance);
+  environment.radiance = common::ImageRgb32f(width, height, radiance);
   return environment;
 }
 
@@ -107,7 +107,7 @@ TEST(EnvLights, DarkLightsPullLess) {
   EXPECT_GT(glm::dot(binned[0].to_light, glm::normalize(glm::vec3(1.0f))), 0.9999f);
 }
 
-TEST(EnvLights, ColoursSumToTheMaps) {
+TEST(EnvLights, ColorsSumToTheMaps) {
   const Environment environment = varied();
   const glm::dvec3 expected = energy_of(environment);
   for (const char* text :

@@ -1,4 +1,4 @@
-#include "scene/environment_loader.h"
+#include "scene/gltf/environment_loader.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <limits>
 
 #include "codec/exr.h"
-#include "scene/sanitize.h"
+#include "scene/gltf/sanitize.h"
+#include "scene/light/tone_map.h"
 #include "scene/scene_error.h"
-#include "scene/tone_map.h"
 #include "support/test_data.h"
 
 namespace amalgam::scene {
@@ -20,7 +20,7 @@ constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 // numerics B16.
 TEST(Sanitize, ReplacesAndCountsExactly) {
-  core::ImageRgb32f image(3, 2, glm::vec3(1.0f));
+  common::ImageRgb32f image(3, 2, glm::vec3(1.0f));
   image.at(0, 0) = {kInfinity, kNan, -1.0f};
   image.at(1, 0) = {1e38f, 1e-40f, -kInfinity};
   image.at(2, 0) = {65504.0f, 65505.0f, -0.0f};
@@ -39,7 +39,7 @@ TEST(Sanitize, ReplacesAndCountsExactly) {
 
 TEST(EnvironmentLoader, HighDynamicRangeIsSanitisedAndNoted) {
   const auto path = std::filesystem::path(testing::TempDir()) / "amalgam_hostile.exr";
-  core::ImageRgb32f image(2, 1, glm::vec3(0.5f));
+  common::ImageRgb32f image(2, 1, glm::vec3(0.5f));
   image.at(1, 0).y = kNan;
   codec::write_exr(path, image);
   std::vector<std::string> notes;
@@ -51,10 +51,10 @@ TEST(EnvironmentLoader, HighDynamicRangeIsSanitisedAndNoted) {
 }
 
 TEST(EnvironmentLoader, LowDynamicRangeIsDisplayLinear) {
-  core::ImageRgba8 picture(1, 1, core::Rgba8(0, 128, 255, 255));
+  common::ImageRgba8 picture(1, 1, common::Rgba8(0, 128, 255, 255));
   const Environment environment = environment_from_ldr(picture);
   EXPECT_TRUE(environment.low_dynamic_range);
-  EXPECT_EQ(environment.radiance.at(0, 0), srgb_decode(core::Rgb8(0, 128, 255)));
+  EXPECT_EQ(environment.radiance.at(0, 0), srgb_decode(common::Rgb8(0, 128, 255)));
 }
 
 TEST(EnvironmentLoader, RefusalsNameTheFile) {

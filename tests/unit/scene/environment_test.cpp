@@ -1,4 +1,4 @@
-#include "scene/environment.h"
+#include "scene/light/environment.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "scene/environment_loader.h"
+#include "scene/gltf/environment_loader.h"
 #include "support/test_data.h"
 
 namespace amalgam::scene {
@@ -14,7 +14,7 @@ namespace {
 
 Environment blank(int width, int height) {
   Environment environment;
-  environment.radiance = core::ImageRgb32f(width, height);
+  environment.radiance = common::ImageRgb32f(width, height);
   return environment;
 }
 

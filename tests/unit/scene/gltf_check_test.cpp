@@ -1,4 +1,4 @@
-#include "scene/gltf_check.h"
+#include "scene/gltf/check/check.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "scene/gltf_extras.h"
+#include "scene/gltf/extras.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "scene/gltf_loader.h"
+#include "scene/gltf/loader.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "scene/gltf_materials.h"
+#include "scene/gltf/materials.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ TEST(GltfMaterials, TransmissionIsADielectricWhateverElseItSays) {
       MaterialKind::Diffuse);
 }
 
-TEST(GltfMaterials, VolumeAbsorbsByItsColourOverItsDistance) {
+TEST(GltfMaterials, VolumeAbsorbsByItsColorOverItsDistance) {
   const Material glass = material_of(
       R"({"extensions": {"KHR_materials_transmission": {"transmissionFactor": 1}, "KHR_materials_ior": {"ior": 1.33},
           "KHR_materials_volume": {"thicknessFactor": 0.01, "attenuationDistance": 0.1, "attenuationColor": [0.5, 1, 0]}}})");

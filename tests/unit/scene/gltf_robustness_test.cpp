@@ -9,7 +9,7 @@
 #include <optional>
 #include <random>
 
-#include "scene/gltf_loader.h"
+#include "scene/gltf/loader.h"
 #include "support/test_data.h"
 #include "unit/scene/gltf_sample.h"
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "scene/gltf_loader.h"
+#include "scene/gltf/loader.h"
 
 namespace amalgam::scene {
 

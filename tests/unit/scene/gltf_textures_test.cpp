@@ -1,4 +1,4 @@
-#include "scene/gltf_textures.h"
+#include "scene/gltf/textures.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ TEST(GltfTextures, EverySlotIsRead) {
     EXPECT_EQ(material.texture(slot).has_value(), slot != TextureSlot::Transmission);
   }
   EXPECT_EQ(material.normal_scale, 0.5f);
-  // One picture, as colour and as data, the latter under two names.
+  // One picture, as color and as data, the latter under two names.
   EXPECT_EQ(scene.textures.size(), 2u);
   EXPECT_EQ(material.base_color_texture, material.emissive_texture);
   EXPECT_EQ(material.normal_texture, material.metallic_roughness_texture);
@@ -103,7 +103,7 @@ TEST(GltfTextures, CoordinatesCanBeOfAnotherSet) {
   EXPECT_THAT(without.notes, testing::Contains(testing::HasSubstr("no texture coordinates")));
 }
 
-TEST(GltfTextures, VertexColoursAreRead) {
+TEST(GltfTextures, VertexColorsAreRead) {
   const Scene scene = scene_of("{}", R"(, "COLOR_0": 1)");
   ASSERT_EQ(scene.meshes[0].colors.size(), 3u);
   EXPECT_EQ(scene.meshes[0].colors[0], glm::vec4(0, 0, 1, 1));

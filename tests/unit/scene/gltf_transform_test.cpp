@@ -1,4 +1,4 @@
-#include "scene/gltf_transform.h"
+#include "scene/gltf/transform.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "scene/irradiance.h"
+#include "scene/light/irradiance.h"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-#include "scene/env_lights.h"
+#include "scene/light/env_lights.h"
 
 namespace amalgam::scene {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 constexpr float kPi = std::numbers::pi_v<float>;
 
 Environment constant_map() {
-  return {core::ImageRgb32f(64, 32, glm::vec3(1.0f)), false};
+  return {common::ImageRgb32f(64, 32, glm::vec3(1.0f)), false};
 }
 
 TEST(Irradiance, OfAConstantMapIsPi) {
@@ -45,7 +45,7 @@ TEST(IrradianceError, FallsWithTheNumberOfLights) {
 }
 
 TEST(IrradianceError, OfABlackMapIsNone) {
-  EXPECT_EQ(irradiance_error({core::ImageRgb32f(8, 4), false}, {}).rms, 0.0);
+  EXPECT_EQ(irradiance_error({common::ImageRgb32f(8, 4), false}, {}).rms, 0.0);
 }
 
 }  // namespace

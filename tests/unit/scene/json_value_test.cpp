@@ -1,8 +1,8 @@
-#include "scene/json_value.h"
+#include "scene/gltf/check/json_value.h"
 
 #include <gtest/gtest.h>
 
-#include "scene/gltf_container.h"
+#include "scene/gltf/container.h"
 #include "scene/scene_error.h"
 
 namespace amalgam::scene {

@@ -1,4 +1,4 @@
-#include "scene/light.h"
+#include "scene/light/light.h"
 
 #include <gtest/gtest.h>
 

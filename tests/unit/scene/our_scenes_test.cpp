@@ -5,9 +5,9 @@
 #include <glm/geometric.hpp>
 #include <map>
 
-#include "scene/env_lights.h"
 #include "scene/features.h"
-#include "scene/gltf_loader.h"
+#include "scene/gltf/loader.h"
+#include "scene/light/env_lights.h"
 
 // The scenes of deploy/scenes are what the documents say they are.
 

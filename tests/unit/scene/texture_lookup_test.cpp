@@ -4,14 +4,14 @@
 
 #include <cmath>
 
+#include "scene/light/tone_map.h"
 #include "scene/mip_chain.h"
-#include "scene/tone_map.h"
 
 namespace amalgam::scene {
 namespace {
 
-core::ImageRgba8 checks(int width, int height) {
-  core::ImageRgba8 image(width, height);
+common::ImageRgba8 checks(int width, int height) {
+  common::ImageRgba8 image(width, height);
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       const auto value = static_cast<std::uint8_t>((x + y) % 2 == 0 ? 255 : 0);
@@ -31,14 +31,14 @@ TEST(MipChain, HalvesDownToOneTexel) {
 }
 
 TEST(MipChain, MeansAreTakenInLinearLight) {
-  const core::Rgba8 color = make_mips(checks(2, 2), TexelEncoding::Srgb).at(0).at(0, 0);
+  const common::Rgba8 color = make_mips(checks(2, 2), TexelEncoding::Srgb).at(0).at(0, 0);
   EXPECT_EQ(color.x, srgb_encode(0.5f));  // 188 and not 128
   EXPECT_EQ(color.w, 128);                // alpha is linear
   EXPECT_EQ(make_mips(checks(2, 2), TexelEncoding::Linear).at(0).at(0, 0).x, 128);
 }
 
 TEST(MipChain, OddSizesCountEveryTexelByItsArea) {
-  core::ImageRgba8 image(5, 1);
+  common::ImageRgba8 image(5, 1);
   image.at(2, 0) = {250, 0, 0, 0};  // a half belongs to each of the two texels of 2.5
   const auto mips = make_mips(image, TexelEncoding::Linear);
   EXPECT_EQ(mips.at(0).at(0, 0).x, 50);
@@ -46,7 +46,7 @@ TEST(MipChain, OddSizesCountEveryTexelByItsArea) {
   EXPECT_EQ(mips.at(1).at(0, 0).x, 50);
 }
 
-Texture mipped(core::ImageRgba8 texels) {
+Texture mipped(common::ImageRgba8 texels) {
   Texture texture{.texels = std::move(texels), .mips = {}};
   texture.mips = make_mips(texture.texels, TexelEncoding::Linear);
   return texture;
@@ -61,8 +61,8 @@ TEST(TextureLookup, OneTexelAPixelReadsTheFullSize) {
 
 TEST(TextureLookup, LevelsAreMixedByTheLogarithmOfTheFootprint) {
   Texture texture = mipped(checks(4, 4));
-  texture.mips[0] = core::ImageRgba8(2, 2, {100, 0, 0, 255});
-  texture.mips[1] = core::ImageRgba8(1, 1, {200, 0, 0, 255});
+  texture.mips[0] = common::ImageRgba8(2, 2, {100, 0, 0, 255});
+  texture.mips[1] = common::ImageRgba8(1, 1, {200, 0, 0, 255});
   const auto red = [&](float lod) {
     const float side = std::exp2(lod) / 4.0f;
     return 255.0f * sample_data_texture(texture, {0.3f, 0.6f}, side * side).x;
@@ -73,8 +73,8 @@ TEST(TextureLookup, LevelsAreMixedByTheLogarithmOfTheFootprint) {
   EXPECT_NEAR(red(9.0f), 200.0f, 1e-3f);
 }
 
-TEST(TextureLookup, ColoursAreDecodedAndDataIsNot) {
-  const Texture texture{.texels = core::ImageRgba8(1, 1, {188, 188, 188, 64}), .mips = {}};
+TEST(TextureLookup, ColorsAreDecodedAndDataIsNot) {
+  const Texture texture{.texels = common::ImageRgba8(1, 1, {188, 188, 188, 64}), .mips = {}};
   EXPECT_NEAR(sample_color_texture(texture, {0.5f, 0.5f}).x, 0.5f, 0.005f);
   EXPECT_EQ(sample_data_texture(texture, {0.5f, 0.5f}).x, 188.0f / 255.0f);
   EXPECT_EQ(sample_color_texture(texture, {0.5f, 0.5f}).w, 64.0f / 255.0f);

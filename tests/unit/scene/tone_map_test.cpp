@@ -1,4 +1,4 @@
-#include "scene/tone_map.h"
+#include "scene/light/tone_map.h"
 
 #include <gtest/gtest.h>
 
@@ -48,7 +48,7 @@ TEST(ToneMap, ACameraPixelComesBackThroughTheTracer) {
     for (int byte = 0; byte < 255; ++byte) {
       const glm::vec3 seen(srgb_decode(static_cast<std::uint8_t>(byte)));
       const glm::vec3 back = tone_map(inverse_tone_map(seen, exposure), exposure);
-      EXPECT_EQ(srgb_encode(back), core::Rgb8(static_cast<std::uint8_t>(byte)))
+      EXPECT_EQ(srgb_encode(back), common::Rgb8(static_cast<std::uint8_t>(byte)))
           << byte << " at " << exposure;
     }
   }

@@ -87,7 +87,7 @@ INSTANTIATE_TEST_SUITE_P(InGlass, AirBubble, testing::Values(Bubble::OfAir, Bubb
                          });
 
 TEST(AirBubbleModellings, GiveTheSamePicture) {
-  scene::Environment gradient{core::ImageRgb32f(16, 8)};
+  scene::Environment gradient{common::ImageRgb32f(16, 8)};
   for (int y = 0; y < 8; ++y) {
     for (int x = 0; x < 16; ++x) gradient.radiance.at(x, y) = {0.05 * std::abs(x - 8), 0.1 * y, 1};
   }

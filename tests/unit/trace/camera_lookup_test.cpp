@@ -4,7 +4,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "scene/tone_map.h"
+#include "scene/light/tone_map.h"
 #include "support/scene_builders.h"
 #include "trace/add_look_ups.h"
 
@@ -22,7 +22,7 @@ class CameraLookupTest : public testing::Test {
     view_.camera = view_.ideal = test_support::make_pinhole(64, 48, 60.0);
     view_.camera_from_world = test_support::look_at({0, 0, 2}, {0, 0, 0});
     for (int y = 0; y < 48; ++y) {
-      for (int x = 0; x < 64; ++x) image_.at(x, y) = core::Rgb8(4 * x, 5 * y, 100);
+      for (int x = 0; x < 64; ++x) image_.at(x, y) = common::Rgb8(4 * x, 5 * y, 100);
     }
   }
 
@@ -41,14 +41,14 @@ class CameraLookupTest : public testing::Test {
   }
 
   scene::Scene scene_;
-  core::ImageRgb8 image_;
+  common::ImageRgb8 image_;
   CameraView view_;
   std::uint64_t lookup_rays_ = 0;
 };
 
 constexpr glm::vec3 kTowards(0, 0, 1);
 
-TEST_F(CameraLookupTest, ReturnsTheCamerasOwnColour) {
+TEST_F(CameraLookupTest, ReturnsTheCamerasOwnColor) {
   // One pixel right of and two below the principal point: 2 m / 60 px each.
   const glm::vec3 position(1.0f * 2 / 60, -2.0f * 2 / 60, 0.0f);
   const auto seen = look_up(position, kTowards);
@@ -56,8 +56,8 @@ TEST_F(CameraLookupTest, ReturnsTheCamerasOwnColour) {
   EXPECT_FLOAT_EQ(seen->trust, 1.0f);
   const float exposure = 0.7f;
   const glm::vec3 shown = scene::tone_map(camera_radiance(image_, seen->pixel, exposure), exposure);
-  const auto at =
-      core::project(view_.camera, glm::dvec3(view_.camera_from_world * glm::dvec4(position, 1.0)));
+  const auto at = common::project(view_.camera,
+                                  glm::dvec3(view_.camera_from_world * glm::dvec4(position, 1.0)));
   ASSERT_TRUE(at);
   // The image is a ramp in bytes; between two pixels the value lies between theirs.
   EXPECT_GE(shown.x,
@@ -117,11 +117,11 @@ TEST_F(CameraLookupTest, TrustFallsTowardsTheBorder) {
 }
 
 TEST_F(CameraLookupTest, DepthDecidesWithoutRays) {
-  core::Image32f depth(64, 48, 2.0f);
+  common::Image32f depth(64, 48, 2.0f);
   view_.real_depth = &depth;
   EXPECT_TRUE(look_up({0, 0, 0}, kTowards));
   EXPECT_EQ(lookup_rays_, 0u);
-  depth = core::Image32f(64, 48, 1.0f);
+  depth = common::Image32f(64, 48, 1.0f);
   EXPECT_FALSE(look_up({0, 0, 0}, kTowards));
   EXPECT_EQ(lookup_rays_, 0u);
   depth.at(32, 24) = 2.0f;  // an edge next to the point: only a ray can tell

@@ -107,7 +107,7 @@ TEST(Reflectance, OfAThinSheetSumsAllBounces) {
   EXPECT_NEAR(shadow_transmittance(1.0f, 1.5f, true), 0.923077f, 1e-6f);
 }
 
-TEST(Reflectance, OfAConductorIsItsColourHeadOnAndWhiteAtGrazing) {
+TEST(Reflectance, OfAConductorIsItsColorHeadOnAndWhiteAtGrazing) {
   const glm::vec3 gold(1.0f, 0.77f, 0.34f);
   EXPECT_EQ(reflectance_conductor(gold, 1.0f), gold);
   EXPECT_NEAR(reflectance_conductor(gold, 0.0f).z, 1.0f, 1e-6f);

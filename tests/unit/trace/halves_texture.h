@@ -1,5 +1,5 @@
-// A texture of two colours side by side, each two texels wide, so that a quarter of the way in from
-// either edge one colour is read alone.
+// A texture of two colors side by side, each two texels wide, so that a quarter of the way in from
+// either edge one color is read alone.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,10 @@
 
 namespace amalgam::trace {
 
-inline std::uint32_t add_halves(scene::Scene& scene, const core::Rgba8& left,
-                                const core::Rgba8& right) {
+inline std::uint32_t add_halves(scene::Scene& scene, const common::Rgba8& left,
+                                const common::Rgba8& right) {
   scene::Texture texture;
-  texture.texels = core::ImageRgba8(4, 1, left);
+  texture.texels = common::ImageRgba8(4, 1, left);
   texture.texels.at(2, 0) = texture.texels.at(3, 0) = right;
   texture.wrap_u = scene::Wrap::Clamp;
   scene.textures.push_back(texture);

@@ -18,10 +18,10 @@ scene::Scene make_scene() {
   return scene;
 }
 
-core::ImageRgb8 ramp(int size, int red) {
-  core::ImageRgb8 image(size, size);
+common::ImageRgb8 ramp(int size, int red) {
+  common::ImageRgb8 image(size, size);
   for (int y = 0; y < size; ++y) {
-    for (int x = 0; x < size; ++x) image.at(x, y) = core::Rgb8(red, 3 * x, 255 - 3 * y);
+    for (int x = 0; x < size; ++x) image.at(x, y) = common::Rgb8(red, 3 * x, 255 - 3 * y);
   }
   return image;
 }
@@ -30,7 +30,7 @@ class LookUpAgain : public testing::Test {
  protected:
   static constexpr int kSize = 64;
 
-  TraceResult trace_with(const core::ImageRgb8& image, float exposure, std::size_t keep_below) {
+  TraceResult trace_with(const common::ImageRgb8& image, float exposure, std::size_t keep_below) {
     return trace({.scene = embree_,
                   .lights = lights_,
                   .environment = &environment_,
@@ -50,7 +50,7 @@ class LookUpAgain : public testing::Test {
   EmbreeScene embree_{scene_};
   scene::Environment environment_ = constant_environment(0.5f);
   std::vector<scene::Light> lights_{{.to_light = {0, 1, 0}, .intensity = glm::vec3(2.0f)}};
-  core::CameraModel camera_ = test_support::make_pinhole(kSize, kSize, 60.0);
+  common::CameraModel camera_ = test_support::make_pinhole(kSize, kSize, 60.0);
   glm::dmat4 camera_from_world_ = test_support::look_at({0, 0.4, 2}, {0, 0, 0});
   CameraView lookup_{.camera = camera_, .camera_from_world = camera_from_world_, .ideal = camera_};
 };
@@ -62,7 +62,7 @@ TEST_F(LookUpAgain, GivesWhatTracingAgainGives) {
   for (const TilePaths& tile : first.paths->tiles) look_ups += tile.look_ups.size();
   EXPECT_GT(look_ups, 1000u);  // or the test tests nothing
 
-  const core::ImageRgb8 image = ramp(kSize, 200);
+  const common::ImageRgb8 image = ramp(kSize, 200);
   const TraceResult again = look_up_again(*first.paths, image, 1.7f);
   const TraceResult anew = trace_with(image, 1.7f, 0);
   EXPECT_EQ(again.layers.over_image(), anew.layers.over_image());
@@ -76,7 +76,7 @@ TEST_F(LookUpAgain, GivesWhatTracingAgainGives) {
 
 // The same kept paths serve any number of frames: looking up must not add to them.
 TEST_F(LookUpAgain, LeavesThePathsAsTheyWere) {
-  const core::ImageRgb8 image = ramp(kSize, 90);
+  const common::ImageRgb8 image = ramp(kSize, 90);
   const TraceResult first = trace_with(image, 1.0f, std::size_t{1} << 30);
   for (int i = 0; i < 3; ++i) {
     EXPECT_EQ(look_up_again(*first.paths, image, 1.0f).layers.over_image(),
@@ -85,7 +85,7 @@ TEST_F(LookUpAgain, LeavesThePathsAsTheyWere) {
 }
 
 TEST_F(LookUpAgain, PathsThatTakeTooMuchMemoryAreNotKept) {
-  const core::ImageRgb8 image = ramp(kSize, 90);
+  const common::ImageRgb8 image = ramp(kSize, 90);
   const std::size_t bytes = trace_with(image, 1.0f, std::size_t{1} << 30).paths->bytes();
   EXPECT_EQ(trace_with(image, 1.0f, bytes / 2).paths, nullptr);
 }

@@ -1,5 +1,5 @@
 // Glass that lets only a share of the light through: k_s is reflected, (1 - k_s) t goes on through
-// the surface, coloured by the base colour, and (1 - k_s) (1 - t) it scatters back diffusely.
+// the surface, colored by the base color, and (1 - k_s) (1 - t) it scatters back diffusely.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -183,7 +183,7 @@ TEST(PartialTransmission, RealGlassLeavesTheCameraImageAlone) {
              scene::Role::Real);
   add_object(scene, test_support::make_floor(-0.01f, 4.0f),
              test_support::make_diffuse(glm::vec3(0.5f)), scene::Role::Real);
-  core::ImageRgb8 camera_image(32, 24, core::Rgb8(90, 80, 70));
+  common::ImageRgb8 camera_image(32, 24, common::Rgb8(90, 80, 70));
   const TraceResult result = trace_shot(scene, {.eye = {0.5, 1, 2},
                                                 .lights = {test_support::make_sun({0.3f, 1, 0.2f})},
                                                 .camera_image = &camera_image,

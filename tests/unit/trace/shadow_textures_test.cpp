@@ -1,4 +1,4 @@
-// Shadows of what textures, vertex colours and transforms make of a caster.
+// Shadows of what textures, vertex colors and transforms make of a caster.
 //
 // Rays go straight up from beside the origin; make_floor's uv is (0.5 + x / 2, 0.5 + z / 2) for a
 // half side of 1.
@@ -49,7 +49,7 @@ scene::Material thin_glass() {
 }
 constexpr float kSheet = 1.0f - 2.0f * 0.04f / 1.04f;  // what thin glass lets through
 
-TEST(ShadowTextures, OpaqueTexelsOfGlassBlockAndClearOnesPassItsColour) {
+TEST(ShadowTextures, OpaqueTexelsOfGlassBlockAndClearOnesPassItsColor) {
   scene::Scene scene;
   scene::Material material = thin_glass();
   material.base_color = {0.5f, 0.25f, 1.0f, 1.0f};
@@ -61,8 +61,8 @@ TEST(ShadowTextures, OpaqueTexelsOfGlassBlockAndClearOnesPassItsColour) {
   expect_near(shadow_at(scene, kRight).real, glm::vec3(1.0f));
 }
 
-// The window's colours fall on both solutions if it is real, and multiply if there are two.
-TEST(ShadowTextures, ColouredPanesMultiply) {
+// The window's colors fall on both solutions if it is real, and multiply if there are two.
+TEST(ShadowTextures, ColoredPanesMultiply) {
   scene::Scene scene;
   scene::Material real = thin_glass(), added = thin_glass();
   real.base_color_texture = add_halves(scene, {255, 0, 0, 255}, {255, 255, 255, 255});

@@ -11,7 +11,7 @@ scene::AnchoredScene anchor_all(const scene::Scene& scene) {
 }
 
 scene::Environment constant_environment(float radiance, bool low_dynamic_range) {
-  return {core::ImageRgb32f(8, 4, glm::vec3(radiance)), low_dynamic_range};
+  return {common::ImageRgb32f(8, 4, glm::vec3(radiance)), low_dynamic_range};
 }
 
 scene::Material emitter(float radiance) {
@@ -24,7 +24,7 @@ scene::Material emitter(float radiance) {
 TraceResult trace_shot(const scene::Scene& scene, const Shot& shot) {
   EmbreeScene embree(scene);
   embree.place(anchor_all(scene));
-  const core::CameraModel camera =
+  const common::CameraModel camera =
       test_support::make_pinhole(shot.width, shot.height, shot.focal_length);
   const glm::dmat4 camera_from_world = test_support::look_at(shot.eye, shot.target);
   CameraView lookup{.camera = camera, .camera_from_world = camera_from_world, .ideal = camera};

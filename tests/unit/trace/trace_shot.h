@@ -7,8 +7,8 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "scene/environment.h"
-#include "scene/light.h"
+#include "scene/light/environment.h"
+#include "scene/light/light.h"
 #include "scene/scene.h"
 #include "support/scene_builders.h"
 #include "trace/tracer.h"
@@ -28,7 +28,7 @@ struct Shot {
   TraceSettings settings{};
   const scene::Environment* environment = nullptr;  // null: black
   std::vector<scene::Light> lights{};
-  const core::ImageRgb8* camera_image = nullptr;
+  const common::ImageRgb8* camera_image = nullptr;
   int width = 9, height = 9, samples_per_side = 1;
   double focal_length = 200.0;
 };

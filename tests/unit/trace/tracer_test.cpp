@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "scene/tone_map.h"
+#include "scene/light/tone_map.h"
 #include "support/scene_builders.h"
 #include "unit/trace/trace_shot.h"
 
@@ -159,15 +159,15 @@ TEST(Tracer, RealMirrorIsCoveredOnlyWhereItShowsSomethingVirtual) {
 }
 
 // Section 4.4: a perfect virtual mirror in front of a real surface that the camera sees shows the
-// camera's own colour.
-TEST(Tracer, PerfectMirrorShowsTheCamerasColours) {
+// camera's own color.
+TEST(Tracer, PerfectMirrorShowsTheCamerasColors) {
   scene::Scene scene;
   // The floor seen by the camera, and a mirror at 45 degrees that shows it.
   add_object(scene, test_support::make_floor(0.0f, 5.0f),
              test_support::make_diffuse(glm::vec3(0.4f)), scene::Role::Real);
   add_object(scene, test_support::make_quad({0, 0.5f, 0}, {0.2f, 0, 0}, {0, 0.2f, 0}),
              test_support::make_mirror(), scene::Role::Virtual);
-  core::ImageRgb8 camera_image(160, 120, core::Rgb8(30, 120, 200));
+  common::ImageRgb8 camera_image(160, 120, common::Rgb8(30, 120, 200));
   const Shot shot{.eye = {0, 1.2, 1.0},
                   .target = {0, 0.3, 0},
                   .camera_image = &camera_image,
@@ -176,13 +176,13 @@ TEST(Tracer, PerfectMirrorShowsTheCamerasColours) {
                   .focal_length = 60};
   const TraceResult result = trace_shot(scene, shot);
   // The mirror's middle shows the floor at about z = 0.7, which is inside the image.
-  const auto at = core::project(
+  const auto at = common::project(
       test_support::make_pinhole(160, 120, 60),
       glm::dvec3(test_support::look_at(shot.eye, shot.target) * glm::dvec4(0, 0.5, 0, 1)));
   ASSERT_TRUE(at);
   const glm::vec4 over = result.layers.over(static_cast<int>(at->x), static_cast<int>(at->y));
   EXPECT_EQ(over.w, 1.0f);
-  EXPECT_EQ(scene::srgb_encode(glm::vec3(over)), core::Rgb8(30, 120, 200));
+  EXPECT_EQ(scene::srgb_encode(glm::vec3(over)), common::Rgb8(30, 120, 200));
 }
 
 // numerics B19: real surfaces seen directly, without anything virtual: the difference is 0 exactly.
@@ -193,7 +193,7 @@ TEST(Tracer, NothingVirtualMeansNoDifference) {
   add_object(scene, test_support::make_box({-0.2f, 0, -0.2f}, {0.2f, 0.4f, 0.2f}),
              test_support::make_glass(), scene::Role::Real);
   const scene::Environment environment = constant_environment(0.5f);
-  core::ImageRgb8 camera_image(64, 48, core::Rgb8(90, 80, 70));
+  common::ImageRgb8 camera_image(64, 48, common::Rgb8(90, 80, 70));
   const TraceResult result = trace_shot(scene, {.eye = {0.5, 1, 2},
                                                 .environment = &environment,
                                                 .lights = {test_support::make_sun({0.3f, 1, 0.2f})},

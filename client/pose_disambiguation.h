@@ -1,0 +1,39 @@
+// Decides which of a marker's two possible poses is the real one, so that virtual objects do not
+// flip over from one frame to the next (numerics B22).
+//
+// One memory serves one marker. Without a previous pose the solution with the smaller error is
+// taken. With one, the solution nearest to it is kept, unless the other is clearly better: its
+// error is less than half, in several frames on end (a single frame of noise says little) or
+// overwhelmingly.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "client/pose_solution.h"
+
+namespace amalgam::client {
+
+class PoseDisambiguation {
+ public:
+  // The chosen solution's pose, remembered as the previous one; nothing if there are no solutions.
+  // frame counts images, not detections: a memory older than kMaxAge images is dropped.
+  std::optional<common::MarkerPose> choose(std::span<const PoseSolution> solutions,
+                                           std::uint64_t frame);
+
+  // The pose chosen last, unless it is too old by this frame.
+  std::optional<common::MarkerPose> previous(std::uint64_t frame) const;
+
+  static constexpr double kClearRatio = 2.0;          // B22: second error / first error
+  static constexpr double kOverwhelmingRatio = 10.0;  // switches at once
+  static constexpr int kFramesToSwitch = 3;           // clear but not overwhelming, on end
+  static constexpr std::uint64_t kMaxAge = 30;        // images: a second, as cameras go
+
+ private:
+  std::optional<common::MarkerPose> previous_;
+  std::uint64_t previous_frame_ = 0;
+  int frames_against_ = 0;
+};
+
+}  // namespace amalgam::client

@@ -1,0 +1,76 @@
+// amalgam-inspect: what is in a scene, as the renderer will take it.
+
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <iostream>
+#include <optional>
+#include <string>
+
+#include "client/tools/inspect/inspect_report.h"
+#include "common/build_info.h"
+#include "scene/gltf/loader.h"
+
+namespace {
+
+struct Options {
+  std::string scene;
+  std::string environment;
+  std::string env_lights = "sectors";
+  bool json = false;
+};
+
+using namespace amalgam;
+
+// The chosen extraction first, then the usual ones.
+std::vector<tools::Inspection::LightError> light_errors(const scene::Environment& environment,
+                                                        const std::string& chosen) {
+  std::vector<std::string> choices{chosen};
+  for (const char* usual :
+       {"sectors", "median-cut:8", "median-cut:32", "median-cut:128", "median-cut:512"}) {
+    if (usual != chosen) choices.emplace_back(usual);
+  }
+  std::vector<tools::Inspection::LightError> errors;
+  for (const std::string& choice : choices) {
+    const auto lights = scene::extract_lights(environment, scene::parse_env_light_options(choice));
+    errors.push_back({choice, lights.size(), scene::irradiance_error(environment, lights)});
+  }
+  return errors;
+}
+
+void inspect(const Options& options) {
+  const auto light_options = scene::parse_env_light_options(options.env_lights);
+  scene::LoadOptions load_options;
+  if (!options.environment.empty()) load_options.environment = options.environment;
+  tools::Inspection inspection;
+  inspection.scene = scene::load_scene(options.scene, load_options);
+  if (const auto& environment = inspection.scene.environment) {
+    inspection.environment_lights = scene::extract_lights(*environment, light_options);
+    inspection.light_errors = light_errors(*environment, to_string(light_options));
+  }
+  (options.json ? tools::print_json : tools::print_text)(std::cout, inspection);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app(
+      "Shows what is in a scene: role, marker and material of every node, the lights, and "
+      "what every frame will leave out. Lengths are in metres.");
+  Options options;
+  app.add_option("scene", options.scene, "glTF 2.0 scene (.gltf or .glb)")->required();
+  app.add_option("--environment", options.environment,
+                 "environment map instead of the scene's own (.exr, .hdr, .jpg, .png)");
+  app.add_option("--env-lights", options.env_lights,
+                 "how the environment becomes lights: sectors or median-cut:N")
+      ->capture_default_str();
+  app.add_flag("--json", options.json, "print one JSON object");
+  app.set_version_flag("--version", common::version_line("amalgam-inspect"));
+  CLI11_PARSE(app, argc, argv);
+  try {
+    inspect(options);
+  } catch (const std::exception& error) {
+    std::cerr << "amalgam-inspect: " << error.what() << '\n';
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,224 @@
+#include "client/tools/load/load_client.h"
+
+#include <boost/asio/buffer.hpp>
+#include <boost/asio/ip/address.hpp>
+#include <boost/asio/write.hpp>
+#include <limits>
+#include <span>
+
+#include "protocol/limits.h"
+
+namespace amalgam::load {
+namespace {
+
+namespace asio = boost::asio;
+using asio::ip::tcp;
+using protocol::Envelope;
+
+// For answers to come after the last frame, also from a slow machine.
+constexpr std::chrono::seconds kPatience{20};
+constexpr double kMarkerDistance = 0.4;  // metres, straight ahead
+// Frames that may wait behind the one being written: none. This allows for small messages.
+constexpr std::size_t kMaxQueue = 2;
+
+std::uint64_t microseconds(std::chrono::steady_clock::time_point time) {
+  return static_cast<std::uint64_t>(
+      std::chrono::duration_cast<std::chrono::microseconds>(time.time_since_epoch()).count());
+}
+
+}  // namespace
+
+LoadClient::LoadClient(asio::io_context& io, const LoadOptions& options, const LoadImage& image,
+                       LoadSummary& summary)
+    : options_(options),
+      image_(image),
+      summary_(summary),
+      socket_(io),
+      timer_(io),
+      buffer_(protocol::kReadBufferBytes) {}
+
+void LoadClient::start() {
+  const tcp::endpoint server(asio::ip::make_address(options_.server.host), options_.server.port);
+  socket_.async_connect(server, [self = shared_from_this()](const ErrorCode& ec) {
+    if (ec) return self->end(true);
+    ErrorCode ignored;
+    self->socket_.set_option(tcp::no_delay(true), ignored);
+    self->say_hello();
+    self->read();
+  });
+}
+
+void LoadClient::say_hello() {
+  Envelope envelope;
+  protocol::Hello& hello = *envelope.mutable_hello();
+  hello.set_version(protocol::kProtocolVersion);
+  hello.set_token(options_.token);
+  protocol::Camera& camera = *hello.mutable_camera();
+  camera.set_width(static_cast<std::uint32_t>(image_.width));
+  camera.set_height(static_cast<std::uint32_t>(image_.height));
+  camera.set_fx(image_.width);
+  camera.set_fy(image_.width);
+  camera.set_cx((image_.width - 1) / 2.0);
+  camera.set_cy((image_.height - 1) / 2.0);
+  send(envelope);
+}
+
+// --- what comes back ---
+
+void LoadClient::read() {
+  socket_.async_read_some(asio::buffer(buffer_),
+                          [self = shared_from_this()](const ErrorCode& ec, std::size_t size) {
+                            if (self->state_ == State::Ended) return;
+                            if (ec) return self->end(!self->draining_);
+                            self->take(size);
+                            if (self->state_ != State::Ended) self->read();
+                          });
+}
+
+void LoadClient::take(std::size_t size) {
+  summary_.bytes_received += size;
+  std::span<const std::byte> input = std::span(buffer_).first(size);
+  while (state_ != State::Ended) {
+    const auto result = decoder_.next(input);
+    if (std::holds_alternative<protocol::Decoder::NeedMore>(result)) return;
+    if (std::holds_alternative<protocol::Decoder::Failure>(result)) return end(true);
+    visit(std::get<Envelope>(result));
+  }
+}
+
+void LoadClient::visit(const Envelope& envelope) {
+  switch (envelope.body_case()) {
+    case Envelope::kWelcome:
+      ++summary_.welcomed;
+      marker_ = envelope.welcome().markers().world_marker();
+      state_ = State::Sending;
+      begin_ = next_frame_ = Clock::now();
+      return send_frame();
+    case Envelope::kComposite:
+      return on_composite(envelope.composite());
+    case Envelope::kError:
+      return on_error(envelope.error());
+    case Envelope::kPing: {
+      Envelope pong;
+      pong.mutable_pong()->set_nonce(envelope.ping().nonce());
+      return send(pong);
+    }
+    case Envelope::kBusy:
+      ++summary_.errors["BUSY"];
+      return end(true);
+    case Envelope::kDraining:  // the server closes when it is done
+      draining_ = true;
+      return wait_for_answers();
+    case Envelope::kPong:
+      return;
+    case Envelope::kHello:
+    case Envelope::kCameraFrame:
+    case Envelope::kEnvironment:
+    case Envelope::kGoodbye:
+    case Envelope::BODY_NOT_SET:
+      return end(true);  // nothing that a server says
+  }
+}
+
+void LoadClient::on_composite(const protocol::Composite& composite) {
+  ++summary_.composited;
+  if (composite.unchanged()) ++summary_.unchanged;
+  summary_.skipped += composite.skipped() - skipped_;
+  skipped_ = composite.skipped();
+  const std::uint64_t age = microseconds(Clock::now()) - composite.capture_time_us();
+  summary_.latencies_ms.push_back(static_cast<double>(age) / 1000.0);
+  answered(composite.frame_id());
+}
+
+void LoadClient::on_error(const protocol::Error& error) {
+  ++summary_.errors[protocol::Error::Code_Name(error.code())];
+  if (error.closes()) return end(true);
+  // A frame with rejected poses still gets its composite.
+  if (error.code() != protocol::Error::POSE_REJECTED) answered(error.frame_id());
+}
+
+void LoadClient::answered(std::uint64_t frame_id) {
+  if (state_ == State::Waiting && frame_id == last_frame_) end(false);
+}
+
+// --- what is sent ---
+
+void LoadClient::wait_for_next_frame() {
+  next_frame_ += std::chrono::duration_cast<Clock::duration>(
+      std::chrono::duration<double>(1.0 / options_.rate));
+  const bool enough = options_.frames > 0 ? last_frame_ >= options_.frames
+                                          : next_frame_ - begin_ >= options_.duration;
+  if (enough) return options_.fault == Fault::Cut ? cut() : wait_for_answers();
+  timer_.expires_at(next_frame_);
+  timer_.async_wait([self = shared_from_this()](const ErrorCode& ec) {
+    if (!ec && self->state_ == State::Sending) self->send_frame();
+  });
+}
+
+void LoadClient::send_frame() {
+  if (queue_.size() >= kMaxQueue) {
+    ++summary_.unsent;
+  } else {
+    ++summary_.sent;
+    send(next_frame());
+  }
+  wait_for_next_frame();
+}
+
+Envelope LoadClient::next_frame() {
+  Envelope envelope;
+  protocol::CameraFrame& frame = *envelope.mutable_camera_frame();
+  frame.set_frame_id(++last_frame_);
+  frame.set_capture_time_us(microseconds(Clock::now()));
+  frame.set_jpeg(options_.fault == Fault::BadImage ? "not a JPEG" : image_.jpeg);
+  protocol::Pose& pose = *frame.add_poses();
+  pose.set_marker(marker_);
+  pose.mutable_rotation()->set_x(1.0);  // half a turn: the marker faces the camera
+  pose.mutable_translation()->set_z(options_.fault == Fault::BadPose
+                                        ? std::numeric_limits<double>::quiet_NaN()
+                                        : kMarkerDistance);
+  return envelope;
+}
+
+void LoadClient::wait_for_answers() {
+  state_ = State::Waiting;
+  timer_.expires_after(kPatience);
+  timer_.async_wait([self = shared_from_this()](const ErrorCode& ec) {
+    if (!ec && self->state_ == State::Waiting) self->end(false);
+  });
+}
+
+void LoadClient::cut() {
+  std::string bytes = protocol::encode(next_frame());
+  bytes.resize(bytes.size() / 2);
+  ErrorCode ignored;
+  asio::write(socket_, asio::buffer(bytes), ignored);
+  end(false);
+}
+
+void LoadClient::send(const Envelope& envelope) {
+  queue_.push_back(protocol::encode(envelope));
+  if (queue_.size() == 1) write();
+}
+
+void LoadClient::write() {
+  asio::async_write(socket_, asio::buffer(queue_.front()),
+                    [self = shared_from_this()](const ErrorCode& ec, std::size_t size) {
+                      if (self->state_ == State::Ended) return;
+                      if (ec) return self->end(!self->draining_);
+                      self->summary_.bytes_sent += size;
+                      self->queue_.pop_front();
+                      if (!self->queue_.empty()) self->write();
+                    });
+}
+
+void LoadClient::end(bool lost) {
+  if (state_ == State::Ended) return;
+  state_ = State::Ended;
+  if (lost) ++summary_.lost;
+  ErrorCode ignored;
+  socket_.close(ignored);
+  timer_.cancel();
+}
+
+}  // namespace amalgam::load

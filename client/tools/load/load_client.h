@@ -1,0 +1,66 @@
+// One client of the load: sends frames at its rate over one connection and counts what comes back.
+#pragma once
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <chrono>
+#include <deque>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "client/tools/load/load_image.h"
+#include "client/tools/load/load_options.h"
+#include "client/tools/load/load_summary.h"
+#include "protocol/framing.h"
+
+namespace amalgam::load {
+
+class LoadClient : public std::enable_shared_from_this<LoadClient> {
+ public:
+  // All three outlive the client.
+  LoadClient(boost::asio::io_context& io, const LoadOptions& options, const LoadImage& image,
+             LoadSummary& summary);
+  void start();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  using ErrorCode = boost::system::error_code;
+  enum class State { Connecting, Sending, Waiting, Ended };
+
+  void say_hello();
+  void read();
+  void take(std::size_t size);
+  void visit(const protocol::Envelope& envelope);
+  void on_composite(const protocol::Composite& composite);
+  void on_error(const protocol::Error& error);
+
+  void wait_for_next_frame();
+  void send_frame();
+  protocol::Envelope next_frame();
+  void answered(std::uint64_t frame_id);
+  void cut();
+  void wait_for_answers();
+
+  void send(const protocol::Envelope& envelope);
+  void write();
+  void end(bool lost);
+
+  const LoadOptions& options_;
+  const LoadImage& image_;
+  LoadSummary& summary_;
+  boost::asio::ip::tcp::socket socket_;
+  boost::asio::steady_timer timer_;
+  State state_ = State::Connecting;
+  bool draining_ = false;
+  Clock::time_point begin_{}, next_frame_{};
+  std::uint64_t last_frame_ = 0;
+  std::uint64_t skipped_ = 0;
+  int marker_ = 0;
+  protocol::Decoder decoder_{protocol::limits_of_client()};
+  std::vector<std::byte> buffer_;
+  std::deque<std::string> queue_;  // the first one is being written
+};
+
+}  // namespace amalgam::load

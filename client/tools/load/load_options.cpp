@@ -1,0 +1,71 @@
+#include "client/tools/load/load_options.h"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <map>
+#include <stdexcept>
+
+#include "common/build_info.h"
+#include "common/token_file.h"
+#include "net/token.h"
+
+namespace amalgam::load {
+
+std::optional<LoadOptions> parse_load_options(int argc, const char* const* argv) {
+  const std::map<std::string, Fault> faults{{"none", Fault::None},
+                                            {"bad-pose", Fault::BadPose},
+                                            {"bad-image", Fault::BadImage},
+                                            {"cut", Fault::Cut}};
+  LoadOptions options;
+  std::string server = "127.0.0.1:7447";
+  std::string fault = "none";
+  std::string token_file;
+  double duration = 10.0;
+  CLI::App app("Puts scripted load on an amalgam-server and prints what came back as JSON.",
+               "amalgam-load");
+  app.set_version_flag("--version", common::version_line("amalgam-load"));
+  app.add_option("--server", server, "the server")
+      ->capture_default_str()
+      ->type_name("ADDRESS:PORT");
+  app.add_option("--clients", options.clients, "clients at once")
+      ->capture_default_str()
+      ->type_name("N")
+      ->check(CLI::Range(1, 10000));
+  app.add_option("--rate", options.rate, "frames a second of each client")
+      ->capture_default_str()
+      ->type_name("HZ")
+      ->check(CLI::Range(0.01, 10000.0));
+  auto* const frames = app.add_option("--frames", options.frames, "frames of each client")
+                           ->type_name("N")
+                           ->check(CLI::PositiveNumber);
+  app.add_option("--duration", duration, "how long frames are sent")
+      ->capture_default_str()
+      ->type_name("SECONDS")
+      ->check(CLI::Range(0.01, 1e6))
+      ->excludes(frames);
+  app.add_option("--image", options.image, "what every frame shows; default mid grey, 640 x 480")
+      ->type_name("JPEG");
+  app.add_option("--token-file", token_file, "file with the server's secret")->type_name("FILE");
+  app.add_option("--faults", fault, "what the clients do wrong")
+      ->capture_default_str()
+      ->check(CLI::IsMember(faults));
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    std::cout << app.help();
+    return std::nullopt;
+  } catch (const CLI::CallForVersion& version) {
+    std::cout << version.what() << '\n';
+    return std::nullopt;
+  } catch (const CLI::ParseError& error) {
+    throw std::runtime_error(error.what());
+  }
+  options.server = common::parse_host_port(server);
+  options.fault = faults.at(fault);
+  options.duration = std::chrono::milliseconds(static_cast<std::int64_t>(duration * 1000.0));
+  if (!token_file.empty())
+    options.token = common::read_token_file(token_file, protocol::kMaxTokenBytes);
+  return options;
+}
+
+}  // namespace amalgam::load

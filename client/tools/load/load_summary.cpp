@@ -1,0 +1,40 @@
+#include "client/tools/load/load_summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace amalgam::load {
+namespace {
+
+// Nearest rank; 0 of nothing.
+double percentile(const std::vector<double>& sorted, double fraction) {
+  if (sorted.empty()) return 0.0;
+  const double rank = std::ceil(fraction * static_cast<double>(sorted.size()));
+  return sorted[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
+}
+
+}  // namespace
+
+std::string to_json(LoadSummary summary) {
+  std::sort(summary.latencies_ms.begin(), summary.latencies_ms.end());
+  const nlohmann::ordered_json json = {{"clients", summary.clients},
+                                       {"welcomed", summary.welcomed},
+                                       {"lost", summary.lost},
+                                       {"sent", summary.sent},
+                                       {"unsent", summary.unsent},
+                                       {"composited", summary.composited},
+                                       {"unchanged", summary.unchanged},
+                                       {"skipped", summary.skipped},
+                                       {"errors", summary.errors},
+                                       {"latency_ms",
+                                        {{"median", percentile(summary.latencies_ms, 0.5)},
+                                         {"p95", percentile(summary.latencies_ms, 0.95)},
+                                         {"p99", percentile(summary.latencies_ms, 0.99)}}},
+                                       {"bytes_sent", summary.bytes_sent},
+                                       {"bytes_received", summary.bytes_received},
+                                       {"seconds", summary.seconds}};
+  return json.dump(2);
+}
+
+}  // namespace amalgam::load

@@ -1,0 +1,111 @@
+#include "client/tools/render/render_input.h"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <stdexcept>
+
+#include "client/calibration.h"
+#include "client/marker_tracker.h"
+#include "codec/jpeg.h"
+#include "frame/default_view.h"
+
+namespace amalgam::tools {
+namespace {
+
+frame::Bytes read_file(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  if (!file) throw std::runtime_error(path.string() + ": cannot be read");
+  frame::Bytes bytes(static_cast<std::size_t>(file.tellg()));
+  file.seekg(0);
+  file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  return bytes;
+}
+
+bool is_camera_jpeg(const frame::Bytes& bytes) {
+  try {
+    codec::read_jpeg_header(bytes);
+    return true;
+  } catch (const codec::JpegError&) {
+    return false;  // another format, or a JPEG that a camera would not send
+  }
+}
+
+// Any picture that OpenCV reads. A baseline JPEG keeps its bytes, as a client would send them.
+void load_image(const std::filesystem::path& path, frame::FrameInput& frame, cv::Mat& bgr) {
+  frame::Bytes bytes = read_file(path);
+  bgr = cv::imread(path.string(), cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
+  if (bgr.empty()) throw std::runtime_error(path.string() + ": not a picture");
+  if (is_camera_jpeg(bytes)) {
+    frame.image = std::move(bytes);
+    return;
+  }
+  common::ImageRgb8 pixels(bgr.cols, bgr.rows);
+  cv::Mat rgb(bgr.rows, bgr.cols, CV_8UC3, pixels.data());
+  cv::cvtColor(bgr, rgb, cv::COLOR_BGR2RGB);
+  frame.image = std::move(pixels);
+}
+
+std::vector<common::MarkerPose> detect(const cv::Mat& bgr, const common::CameraModel& camera,
+                                       const scene::Scene& scene) {
+  client::TrackerOptions options;
+  options.dictionary = scene.world.dictionary;
+  options.marker_length = scene.world.marker_length;
+  return client::MarkerTracker(options, camera).track(bgr);
+}
+
+}  // namespace
+
+std::vector<common::MarkerPose> load_poses(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  if (!file) throw std::runtime_error(path.string() + ": cannot be read");
+  std::vector<common::MarkerPose> poses;
+  try {
+    const nlohmann::json json = nlohmann::json::parse(file);
+    for (const auto& entry : json.at("poses")) {
+      const auto r = entry.at("rotation").get<std::array<double, 4>>();
+      const auto t = entry.at("translation").get<std::array<double, 3>>();
+      poses.push_back({entry.at("marker").get<int>(), glm::dquat(r[3], r[0], r[1], r[2]),
+                       glm::dvec3(t[0], t[1], t[2])});
+    }
+  } catch (const nlohmann::json::exception& error) {
+    throw std::runtime_error(path.string() + ": " + error.what());
+  }
+  for (const common::MarkerPose& pose : poses) {
+    if (!common::is_usable(pose)) {
+      throw std::runtime_error(path.string() + ": the pose of marker " +
+                               std::to_string(pose.marker) +
+                               " is no rotation and translation in metres");
+    }
+  }
+  return poses;
+}
+
+RenderInput load_render_input(const RenderInputOptions& options, const scene::Scene& scene) {
+  RenderInput input;
+  cv::Mat bgr;
+  int width = options.width, height = options.height;
+  if (options.camera_image) {
+    load_image(*options.camera_image, input.frame, bgr);
+    width = bgr.cols;
+    height = bgr.rows;
+  } else {
+    input.frame.image = common::ImageRgb8(width, height, common::Rgb8(128));
+  }
+  input.camera =
+      options.calibration
+          ? client::fit_to_image(client::load_calibration(*options.calibration), width, height)
+          : common::default_camera(width, height);
+  if (options.poses) {
+    input.frame.poses = load_poses(*options.poses);
+  } else if (options.camera_image) {
+    input.frame.poses = detect(bgr, input.camera, scene);
+    input.detected = true;
+  } else {
+    input.frame.poses = {frame::default_pose(scene.world.marker)};
+  }
+  return input;
+}
+
+}  // namespace amalgam::tools

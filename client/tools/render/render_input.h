@@ -1,0 +1,36 @@
+// What amalgam-render reads besides the scene: a camera image, its calibration and poses.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "common/camera_model.h"
+#include "common/pose.h"
+#include "frame/frame.h"
+#include "scene/scene.h"
+
+namespace amalgam::tools {
+
+struct RenderInputOptions {
+  std::optional<std::filesystem::path> camera_image;
+  std::optional<std::filesystem::path> calibration;
+  std::optional<std::filesystem::path> poses;
+  int width = 640, height = 480;  // pixels, without a camera image
+};
+
+struct RenderInput {
+  common::CameraModel camera;
+  frame::FrameInput frame;
+  bool detected = false;  // poses come from markers found in the image
+};
+
+// Without an image: mid grey, seen from a fixed place above the world marker. Without poses: the
+// scene's markers are looked for in the image. Throws std::runtime_error with one line.
+RenderInput load_render_input(const RenderInputOptions& options, const scene::Scene& scene);
+
+// {"poses":[{"marker":40,"rotation":[x,y,z,w],"translation":[x,y,z]}]}: camera_from_marker, OpenCV
+// axes, metres. Throws std::runtime_error.
+std::vector<common::MarkerPose> load_poses(const std::filesystem::path& path);
+
+}  // namespace amalgam::tools

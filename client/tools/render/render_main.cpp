@@ -1,0 +1,146 @@
+// amalgam-render: one frame without a network, by the same renderer as the server's.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "client/tools/render/provenance_picture.h"
+#include "client/tools/render/render_input.h"
+#include "client/tools/render/render_report.h"
+#include "common/build_info.h"
+#include "common/log.h"
+#include "frame/frame_renderer.h"
+#include "frame/rendering_threads.h"
+#include "scene/gltf/loader.h"
+#include "server/renderer_options.h"
+
+namespace {
+
+using namespace amalgam;
+
+struct Options {
+  std::string scene = tools::default_scene_path();
+  tools::RenderInputOptions input;
+  frame::RendererSettings renderer;
+  std::string output, dump, graph, size;
+  int repeat = 1;
+  bool still = false, json = false, explain = false;
+};
+
+void parse_size(const std::string& text, Options& options) {
+  int consumed = 0;
+  if (std::sscanf(text.c_str(), "%dx%d%n", &options.input.width, &options.input.height,
+                  &consumed) != 2 ||
+      consumed != static_cast<int>(text.size()) || options.input.width < 1 ||
+      options.input.height < 1 || options.input.width > 8192 || options.input.height > 8192) {
+    throw CLI::ValidationError("--size",
+                               "'" + text + "' is not WIDTHxHEIGHT in pixels, up to 8192x8192");
+  }
+}
+
+void add_options(CLI::App& app, Options& options) {
+  app.add_option("--scene", options.scene, "glTF scene (.gltf, .glb)")->capture_default_str();
+  app.add_option("--camera-image", options.input.camera_image, "picture that the camera took");
+  app.add_option("--calibration", options.input.calibration,
+                 "OpenCV camera file (YAML); without it 60 degrees wide and no distortion");
+  app.add_option(
+      "--poses", options.input.poses,
+      "JSON with camera_from_marker poses (metres); without it markers are looked for in "
+      "the image");
+  app.add_option("--size", options.size, "WxH in pixels, without --camera-image: mid grey")
+      ->default_str("640x480");
+  app.add_option("--output", options.output, "picture to write the composite to: .png, or .jpg");
+  tools::add_renderer_options(app, options.renderer);
+  app.add_option("--dump", options.dump,
+                 "folder to write every buffer to, as EXR, and where light came from as a picture");
+  app.add_option("--graph", options.graph, "file to write the frame graph to, for Graphviz");
+  app.add_option("--repeat", options.repeat, "render the frame so many times, for timing")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  app.add_flag("--still", options.still,
+               "with --repeat: time what a camera on a tripod costs, of which nothing moves; "
+               "without it, a moving camera");
+  app.add_flag("--json", options.json, "print times (ms), ray counts, passes and pixel counts");
+  app.add_flag("--explain", options.explain, "print each pass, or why it was left out");
+}
+
+void write_picture(const std::string& path, common::ImageRgb8 image) {
+  cv::Mat rgb(image.height(), image.width(), CV_8UC3, image.data());
+  cv::cvtColor(rgb, rgb, cv::COLOR_RGB2BGR);
+  std::vector<unsigned char> encoded;
+  const std::string extension = std::filesystem::path(path).extension().string();
+  if (extension != ".png" && extension != ".jpg" && extension != ".jpeg") {
+    throw std::runtime_error(path + ": pictures are written as .png or .jpg");
+  }
+  cv::imencode(extension, rgb, encoded);
+  std::ofstream file(path, std::ios::binary);
+  file.write(reinterpret_cast<const char*>(encoded.data()),
+             static_cast<std::streamsize>(encoded.size()));
+  if (!file) throw std::runtime_error(path + ": cannot be written");
+}
+
+void run(const Options& options) {
+  frame::RendererSettings settings = options.renderer;
+  settings.reuse_still_frames = options.still;
+  frame::FrameRenderer renderer(scene::load_scene(options.scene), settings);
+  for (const std::string& note : renderer.scene().notes) common::log_debug(note);
+  tools::RenderInput input = tools::load_render_input(options.input, renderer.scene());
+  if (input.detected && input.frame.poses.empty()) {
+    common::log_warn("no marker of " + renderer.scene().world.dictionary + " found in the image");
+  }
+  frame::ViewOptions view_options{.camera = input.camera};
+  view_options.keep_pixels = true;
+  frame::ViewState view(view_options);
+
+  frame::FrameBuffers buffers;
+  std::vector<frame::FrameOutput> frames;
+  for (int i = 0; i < options.repeat; ++i) {
+    const bool last = i + 1 == options.repeat;
+    // Provenance is not kept of a frame that is not traced.
+    view.options.keep_provenance =
+        last && ((options.json && !options.still) || !options.dump.empty());
+    frames.push_back(
+        renderer.render(view, input.frame, last && !options.dump.empty() ? &buffers : nullptr));
+    if (!last) frames.back().pixels = {};
+  }
+  if (!options.output.empty()) write_picture(options.output, frames.back().pixels);
+  if (!options.dump.empty()) {
+    frame::write_buffers(buffers, options.dump);
+    if (const auto& provenance = frames.back().provenance) {
+      tools::write_provenance_picture(*provenance,
+                                      std::filesystem::path(options.dump) / "provenance.png");
+    }
+  }
+  if (!options.graph.empty() && !(std::ofstream(options.graph) << renderer.last_graph())) {
+    throw std::runtime_error(options.graph + ": cannot be written");
+  }
+  if (options.explain) tools::print_passes(options.json ? std::cerr : std::cout, frames.back());
+  if (options.json) tools::print_json(std::cout, frames);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Renders one mixed-reality frame: virtual objects into a camera image.",
+               "amalgam-render");
+  Options options;
+  add_options(app, options);
+  app.set_version_flag("--version", [] {
+    return common::version_line("amalgam-render") + "; " + frame::ray_tracer_version();
+  });
+  try {
+    app.parse(argc, argv);
+    if (!options.size.empty()) parse_size(options.size, options);
+    frame::limit_llvmpipe_threads(options.renderer);
+    run(options);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error);
+  } catch (const std::exception& error) {
+    std::cerr << "amalgam-render: " << error.what() << "\n";
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,18 @@
+// Which program this is: its version, and the processors that it was compiled for.
+#pragma once
+
+#include <string>
+
+namespace amalgam::common {
+
+// "0.1.0", of the project.
+const char* version();
+
+// "x86-64", "x86-64-v2", "-v3" or "-v4", by what the compiler was allowed to use; "other"
+// elsewhere.
+const char* instruction_set();
+
+// For --version: "amalgam-server 0.1.0, compiled for x86-64".
+std::string version_line(const std::string& program);
+
+}  // namespace amalgam::common

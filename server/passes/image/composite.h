@@ -1,0 +1,33 @@
+// Virtual onto real: I_f = A + (1 - a) I_c + D (eq. 4.5 in layers), in display-linear light.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "common/image.h"
+#include "core/layers.h"
+#include "graph/frame_graph.h"
+#include "passes/frame_resources.h"
+#include "passes/image/decode.h"
+
+namespace amalgam::passes {
+
+// The composite, sRGB-encoded. Where all layers are 0 the camera's bytes stay what they are. Layers
+// and image must have one size.
+common::ImageRgb8 composite(const core::Layers& layers, common::ImageRgb8 camera_image);
+
+struct Composite {
+  common::ImageRgb8 pixels;
+  std::vector<std::uint8_t> changed;  // by tile (core/tile_grid.h): 0 where the camera's bytes are
+};
+
+struct CompositeInputs {
+  graph::Handle<Layers> layers;  // in the camera's geometry
+  graph::Handle<CameraImage> camera_image;
+  bool even_if_unchanged = false;  // without layers the composite is the camera image, for a client
+                                   // that wants another quality
+};
+
+graph::Handle<Composite> add_composite_pass(graph::FrameGraph& graph, const CompositeInputs& in);
+
+}  // namespace amalgam::passes

@@ -1,0 +1,27 @@
+// The composite as JPEG, for the wire.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "graph/frame_graph.h"
+#include "passes/image/composite.h"
+#include "passes/image/decode.h"
+
+namespace amalgam::passes {
+
+struct EncodedImage {
+  std::vector<std::byte> jpeg;
+};
+
+struct EncodeInputs {
+  graph::Handle<Composite> composite;
+  // May be absent; otherwise the composite becomes a patch of the camera's JPEG: blocks without a
+  // change keep the camera's coefficients bit for bit, and the others take its quality.
+  graph::Handle<CameraCoefficients> coefficients;
+  int quality = 90;  // 1 to 100, where all of the composite is encoded
+};
+
+graph::Handle<EncodedImage> add_encode_pass(graph::FrameGraph& graph, const EncodeInputs& in);
+
+}  // namespace amalgam::passes

@@ -1,0 +1,24 @@
+// What mirrors and glass show while nothing moves: the paths of an earlier frame with the colors
+// of this frame's camera image. Takes the trace pass's place.
+#pragma once
+
+#include <memory>
+
+#include "graph/frame_graph.h"
+#include "passes/image/decode.h"
+#include "trace/tracer.h"
+
+namespace amalgam::passes {
+
+using KeptPaths = std::shared_ptr<const trace::TracedPaths>;
+
+struct LookUpInputs {
+  graph::Handle<KeptPaths> paths;
+  graph::Handle<CameraImage> camera_image;
+  graph::Handle<float> exposure;
+};
+
+graph::Handle<trace::TraceResult> add_look_up_pass(graph::FrameGraph& graph,
+                                                   const LookUpInputs& in);
+
+}  // namespace amalgam::passes

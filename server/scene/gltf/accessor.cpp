@@ -1,0 +1,162 @@
+#include "scene/gltf/accessor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <set>
+
+#include "scene/gltf/check/check_context.h"
+#include "scene/scene_error.h"
+
+namespace amalgam::scene {
+namespace {
+
+struct Layout {
+  const unsigned char* data = nullptr;
+  std::size_t stride = 0;  // bytes
+};
+
+const unsigned char* view_data(const tinygltf::Model& model, int view_index, std::size_t offset) {
+  const tinygltf::BufferView& view = model.bufferViews[static_cast<std::size_t>(view_index)];
+  return model.buffers[static_cast<std::size_t>(view.buffer)].data.data() + view.byteOffset +
+         offset;
+}
+
+template <typename T>
+double load(const unsigned char* at) {
+  T value;
+  std::memcpy(&value, at, sizeof value);
+  return static_cast<double>(value);
+}
+
+double load_number(const unsigned char* at, int component, bool normalized) {
+  switch (component) {
+    case kByte:
+      return normalized ? std::max(load<std::int8_t>(at) / 127.0, -1.0) : load<std::int8_t>(at);
+    case kUnsignedByte:
+      return load<std::uint8_t>(at) / (normalized ? 255.0 : 1.0);
+    case kShort:
+      return normalized ? std::max(load<std::int16_t>(at) / 32767.0, -1.0) : load<std::int16_t>(at);
+    case kUnsignedShort:
+      return load<std::uint16_t>(at) / (normalized ? 65535.0 : 1.0);
+    case kUnsignedInt:
+      return load<std::uint32_t>(at);
+    default:
+      return load<float>(at);
+  }
+}
+
+// Calls put(element, component, value) for every number of the accessor; sparse ones come last.
+template <typename Put>
+void for_each_number(const tinygltf::Accessor& accessor, const tinygltf::Model& model, Put put) {
+  const auto components = static_cast<std::size_t>(
+      tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type)));
+  const auto bytes = static_cast<std::size_t>(component_bytes(accessor.componentType));
+  // Columns of small-component matrices are padded to 4 bytes; no accessor that is drawn holds any.
+  const auto read_element = [&](std::size_t element, const unsigned char* at) {
+    for (std::size_t c = 0; c < components; ++c) {
+      put(element, c, load_number(at + c * bytes, accessor.componentType, accessor.normalized));
+    }
+  };
+  if (accessor.bufferView >= 0) {
+    const auto& view = model.bufferViews[static_cast<std::size_t>(accessor.bufferView)];
+    const unsigned char* data = view_data(model, accessor.bufferView, accessor.byteOffset);
+    const std::size_t stride = view.byteStride != 0 ? view.byteStride : components * bytes;
+    for (std::size_t i = 0; i < accessor.count; ++i) read_element(i, data + i * stride);
+  }
+  if (!accessor.sparse.isSparse) return;
+  const auto& sparse = accessor.sparse;
+  const unsigned char* index = view_data(model, sparse.indices.bufferView,
+                                         static_cast<std::size_t>(sparse.indices.byteOffset));
+  const unsigned char* value = view_data(model, sparse.values.bufferView,
+                                         static_cast<std::size_t>(sparse.values.byteOffset));
+  const auto index_bytes = static_cast<std::size_t>(component_bytes(sparse.indices.componentType));
+  for (std::size_t i = 0; i < static_cast<std::size_t>(sparse.count); ++i) {
+    const double at = load_number(index + i * index_bytes, sparse.indices.componentType, false);
+    const auto element = static_cast<std::size_t>(at);
+    if (element >= accessor.count) throw SceneError("sparse index beyond its accessor");
+    read_element(element, value + i * components * bytes);
+  }
+}
+
+const tinygltf::Accessor& accessor_at(const tinygltf::Model& model, int index) {
+  return model.accessors[static_cast<std::size_t>(index)];
+}
+
+}  // namespace
+
+std::vector<float> read_floats(const tinygltf::Model& model, int index) {
+  const tinygltf::Accessor& accessor = accessor_at(model, index);
+  const auto components = static_cast<std::size_t>(
+      tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type)));
+  std::vector<float> values(accessor.count * components);
+  for_each_number(accessor, model, [&](std::size_t element, std::size_t c, double value) {
+    values[element * components + c] = static_cast<float>(value);
+  });
+  return values;
+}
+
+std::vector<std::uint32_t> read_indices(const tinygltf::Model& model, int index) {
+  const tinygltf::Accessor& accessor = accessor_at(model, index);
+  std::vector<std::uint32_t> values(accessor.count);
+  for_each_number(accessor, model, [&](std::size_t element, std::size_t, double value) {
+    values[element] = static_cast<std::uint32_t>(value);
+  });
+  return values;
+}
+
+std::vector<glm::vec3> read_vec3(const tinygltf::Model& model, int index) {
+  const auto floats = read_floats(model, index);
+  std::vector<glm::vec3> values(floats.size() / 3);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i] = {floats[3 * i], floats[3 * i + 1], floats[3 * i + 2]};
+  }
+  return values;
+}
+
+std::vector<glm::vec4> read_vec4(const tinygltf::Model& model, int index) {
+  const auto floats = read_floats(model, index);
+  std::vector<glm::vec4> values(floats.size() / 4);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i] = {floats[4 * i], floats[4 * i + 1], floats[4 * i + 2], floats[4 * i + 3]};
+  }
+  return values;
+}
+
+std::vector<glm::vec2> read_vec2(const tinygltf::Model& model, int index) {
+  const auto floats = read_floats(model, index);
+  std::vector<glm::vec2> values(floats.size() / 2);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = {floats[2 * i], floats[2 * i + 1]};
+  return values;
+}
+
+void check_accessor_data(const tinygltf::Model& model) {
+  std::set<int> repaired;
+  for (const auto& mesh : model.meshes) {
+    for (const auto& primitive : mesh.primitives) {
+      for (const auto& [name, accessor] : primitive.attributes) {
+        if (name == "NORMAL" || name == "TANGENT") repaired.insert(accessor);
+      }
+    }
+  }
+  for (std::size_t i = 0; i < model.accessors.size(); ++i) {
+    const tinygltf::Accessor& accessor = model.accessors[i];
+    if (repaired.contains(static_cast<int>(i))) continue;
+    const auto fail = [&](std::size_t element, const char* why) {
+      throw SceneError("accessors[" + std::to_string(i) + "]: element " + std::to_string(element) +
+                       " " + why);
+    };
+    const auto& low = accessor.minValues;
+    const auto& high = accessor.maxValues;
+    for_each_number(accessor, model, [&](std::size_t element, std::size_t c, double value) {
+      if (!std::isfinite(value)) fail(element, "is not finite");
+      // Exporters print bounds in fewer digits than the values have.
+      const double slack = 1e-3 * std::abs(value) + 1e-3;
+      if (accessor.normalized || c >= low.size() || c >= high.size()) return;
+      if (value < low[c] - slack || value > high[c] + slack)
+        fail(element, "is outside min and max");
+    });
+  }
+}
+
+}  // namespace amalgam::scene

@@ -1,0 +1,141 @@
+#include <array>
+
+#include "scene/gltf/check/check_context.h"
+#include "scene/gltf/check/uri.h"
+
+namespace amalgam::scene {
+namespace {
+
+void check_texture_info(const GltfCheckContext& context, const JsonCursor& material,
+                        std::string_view name) {
+  const auto info = material.find(name);
+  if (!info) return;
+  context.resolve(info->get("index"), "textures");
+  if (const auto set = info->find("texCoord")) set->integer(0, 15);
+}
+
+void check_factors(const JsonCursor& material, std::string_view name, std::size_t count) {
+  const auto factors = material.find(name);
+  if (!factors) return;
+  factors->numbers(count);
+  for (const JsonCursor& factor : factors->items()) factor.number(0.0, 1.0);
+}
+
+void check_factor(const JsonCursor& material, std::string_view name, double low, double high) {
+  if (const auto factor = material.find(name)) factor->number(low, high);
+}
+
+void check_material_extensions(const GltfCheckContext& context, const JsonCursor& extensions) {
+  constexpr double kAnything = 1e30;
+  if (const auto at = extensions.find("KHR_materials_transmission")) {
+    check_factor(*at, "transmissionFactor", 0.0, 1.0);
+    check_texture_info(context, *at, "transmissionTexture");
+  }
+  if (const auto at = extensions.find("KHR_materials_ior")) {
+    const auto ior = at->find("ior");
+    // 0 is the specification's "infinite" backward compatibility mode.
+    if (ior && ior->number(0.0, 100.0) < 1.0 && ior->number() != 0.0) ior->fail("is below 1");
+  }
+  if (const auto at = extensions.find("KHR_materials_volume")) {
+    check_factor(*at, "thicknessFactor", 0.0, kAnything);
+    check_texture_info(context, *at, "thicknessTexture");
+    check_factors(*at, "attenuationColor", 3);
+    if (const auto distance = at->find("attenuationDistance")) {
+      if (!(distance->number() > 0.0)) distance->fail("is not above 0");
+    }
+  }
+  if (const auto at = extensions.find("KHR_materials_emissive_strength")) {
+    check_factor(*at, "emissiveStrength", 0.0, kAnything);
+  }
+}
+
+}  // namespace
+
+void check_textures(const GltfCheckContext& context) {
+  for (const JsonCursor& image : context.all("images")) {
+    const auto uri = image.find("uri"), view = image.find("bufferView"),
+               mime = image.find("mimeType");
+    if (!uri == !view) image.fail("needs either a uri or a bufferView");
+    if (mime) mime->string();
+    if (uri) check_image_uri(*uri);
+    if (view) {
+      if (!mime) image.fail("a bufferView without a mimeType");
+      const ViewFacts& bytes = context.views[context.resolve(*view, "bufferViews")];
+      if (bytes.stride) view->fail("a view with byteStride cannot hold a picture");
+      if (bytes.length == 0) view->fail("an empty view cannot hold a picture");
+    }
+  }
+  for (const JsonCursor& sampler : context.all("samplers")) {
+    for (const char* wrap : {"wrapS", "wrapT"}) {
+      const auto at = sampler.find(wrap);
+      if (!at) continue;
+      const long long mode = at->integer(0);
+      if (mode != 33071 && mode != 33648 && mode != 10497) at->fail("is not a wrapping mode");
+    }
+    for (const char* filter : {"magFilter", "minFilter"}) {
+      const auto at = sampler.find(filter);
+      if (!at) continue;
+      const long long mode = at->integer(0);
+      const bool plain = mode == 9728 || mode == 9729, mipmapped = mode >= 9984 && mode <= 9987;
+      if (!plain && !(mipmapped && filter[1] == 'i')) at->fail("is not a filter");
+    }
+  }
+  for (const JsonCursor& texture : context.all("textures")) {
+    if (const auto sampler = texture.find("sampler")) context.resolve(*sampler, "samplers");
+    if (const auto source = texture.find("source")) context.resolve(*source, "images");
+  }
+}
+
+void check_materials(const GltfCheckContext& context) {
+  for (const JsonCursor& material : context.all("materials")) {
+    if (const auto pbr = material.find("pbrMetallicRoughness")) {
+      check_factors(*pbr, "baseColorFactor", 4);
+      check_factor(*pbr, "metallicFactor", 0.0, 1.0);
+      check_factor(*pbr, "roughnessFactor", 0.0, 1.0);
+      check_texture_info(context, *pbr, "baseColorTexture");
+      check_texture_info(context, *pbr, "metallicRoughnessTexture");
+    }
+    for (const char* name : {"normalTexture", "occlusionTexture", "emissiveTexture"}) {
+      check_texture_info(context, material, name);
+    }
+    check_factors(material, "emissiveFactor", 3);
+    if (const auto mode = material.find("alphaMode")) {
+      const std::string& text = mode->string();
+      if (text != "OPAQUE" && text != "MASK" && text != "BLEND") {
+        mode->fail("'" + text + "' is none of OPAQUE, MASK, BLEND");
+      }
+    }
+    check_factor(material, "alphaCutoff", 0.0, 1e30);
+    if (const auto sided = material.find("doubleSided")) sided->boolean();
+    if (const auto extensions = material.find("extensions")) {
+      check_material_extensions(context, *extensions);
+    }
+  }
+}
+
+void check_cameras(const GltfCheckContext& context) {
+  for (const JsonCursor& camera : context.all("cameras")) {
+    const JsonCursor type = camera.get("type");
+    const std::string& kind = type.string();
+    if (kind != "perspective" && kind != "orthographic") {
+      type.fail("is neither perspective nor orthographic");
+    }
+    if (camera.find("perspective") && camera.find("orthographic")) camera.fail("is of both types");
+    const JsonCursor at = camera.get(kind);
+    const double near = at.get("znear").number();
+    const bool perspective = kind == "perspective";
+    if (near < 0.0 || (perspective && near == 0.0)) at.get("znear").fail("is not above 0");
+    const auto far = perspective ? at.find("zfar") : std::optional(at.get("zfar"));
+    if (far && !(far->number() > near)) far->fail("is not above znear");
+    for (const char* name : {"yfov", "xmag", "ymag"}) {
+      if ((name[0] == 'y' && name[1] == 'f') != perspective) continue;
+      const double value = at.get(name).number();
+      if (value == 0.0 || (perspective && value < 0.0)) at.get(name).fail("is not above 0");
+    }
+    if (const auto ratio = at.find("aspectRatio")) {
+      if (!(ratio->number() > 0.0)) ratio->fail("is not above 0");
+    }
+  }
+}
+
+}  // namespace amalgam::scene

@@ -1,0 +1,20 @@
+// Environment maps from files: OpenEXR and Radiance (.hdr) as scene-linear radiance, JPEG and PNG
+// as low dynamic range.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scene/light/environment.h"
+
+namespace amalgam::scene {
+
+// The kind is told by the name's extension (.exr, .hdr, .jpg, .jpeg, .png). High-dynamic-range
+// values are sanitised and what was replaced is noted. Throws SceneError naming the file.
+Environment load_environment(const std::filesystem::path& path, std::vector<std::string>& notes);
+
+// 8-bit sRGB texels as a low-dynamic-range map, display-linear.
+Environment environment_from_ldr(const common::ImageRgba8& picture);
+
+}  // namespace amalgam::scene

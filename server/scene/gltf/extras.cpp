@@ -1,0 +1,75 @@
+#include "scene/gltf/extras.h"
+
+namespace amalgam::scene {
+namespace {
+
+constexpr int kMaxMarker = 1'000'000;
+
+std::optional<JsonCursor> object_member(const JsonCursor& holder, const char* name) {
+  const auto found = holder.find(name);
+  if (!found || found->value().kind != JsonValue::Kind::Object) return std::nullopt;
+  return found;
+}
+
+// Our own block must be an object if it is there at all.
+std::optional<JsonCursor> own_block(const std::optional<JsonCursor>& extras) {
+  const auto found = extras ? extras->find("amalgam") : std::nullopt;
+  if (found) found->expect_object();
+  return found;
+}
+
+Role parse_role(const JsonCursor& at) {
+  if (at.string() == "real") return Role::Real;
+  if (at.string() == "virtual") return Role::Virtual;
+  at.fail("'" + at.string() + "' is neither real nor virtual");
+}
+
+bool is_true(const JsonCursor& at) {
+  const JsonValue& value = at.value();
+  return (value.kind == JsonValue::Kind::Boolean && value.boolean) ||
+         (value.kind == JsonValue::Kind::Number && value.number != 0.0);  // older Blender exports 1
+}
+
+}  // namespace
+
+NodeExtras read_node_extras(const JsonCursor& node) {
+  NodeExtras read;
+  const auto extras = object_member(node, "extras");
+  const auto catcher = extras ? extras->find("is_shadow_catcher") : std::nullopt;
+  if (catcher && is_true(*catcher)) read.role = Role::Real;
+  const auto own = own_block(extras);
+  if (!own) return read;
+  for (const auto& [name, at] : own->members()) {
+    if (name == "role") {
+      read.role = parse_role(at);
+    } else if (name == "marker") {
+      read.marker = static_cast<int>(at.integer(0, kMaxMarker));
+    } else {
+      at.fail("is unknown; a node has role and marker");
+    }
+  }
+  return read;
+}
+
+SceneExtras read_scene_extras(const JsonCursor& scene) {
+  SceneExtras read;
+  const auto own = own_block(object_member(scene, "extras"));
+  if (!own) return read;
+  for (const auto& [name, at] : own->members()) {
+    if (name == "world_marker") {
+      read.world.marker = static_cast<int>(at.integer(0, kMaxMarker));
+      read.has_world_marker = true;
+    } else if (name == "dictionary") {
+      read.world.dictionary = at.string();
+    } else if (name == "marker_length") {
+      read.world.marker_length = at.number(1e-4, 100.0);
+    } else if (name == "environment") {
+      read.environment = at.string();
+    } else {
+      at.fail("is unknown; a scene has world_marker, dictionary, marker_length and environment");
+    }
+  }
+  return read;
+}
+
+}  // namespace amalgam::scene

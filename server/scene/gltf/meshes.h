@@ -1,0 +1,27 @@
+// glTF primitives read into Meshes of plain triangles.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/gltf/materials.h"
+#include "scene/gltf/model.h"
+#include "scene/scene.h"
+
+namespace amalgam::scene {
+
+struct ReadPrimitive {
+  Mesh mesh;
+  std::size_t material = 0;  // index into ResolvedMaterials::materials
+};
+
+// The drawable primitives of one glTF mesh: lists, strips and fans of triangles. Points, lines and
+// what has no triangle left after repair are noted and left out. Throws SceneError for an index out
+// of range.
+std::vector<ReadPrimitive> read_primitives(const GltfModel& gltf, std::size_t mesh,
+                                           const ResolvedMaterials& materials,
+                                           std::vector<std::string>& notes);
+
+}  // namespace amalgam::scene

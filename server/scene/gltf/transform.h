@@ -1,0 +1,21 @@
+// Node transforms of a glTF file as matrices, and whether they can be rendered with.
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <string>
+
+#include "scene/gltf/model.h"
+
+namespace amalgam::scene {
+
+// The node's matrix, or translation x rotation x scale (rotation normalised).
+glm::dmat4 parent_from_node(const tinygltf::Node& node);
+
+// Largest over smallest singular value of the upper 3x3 part; infinity if singular or not finite.
+double condition_number(const glm::dmat4& affine);
+
+// Throws SceneError "path: ..." if the condition number is over 1e6 (numerics B23), or if float
+// cannot hold the matrix.
+void check_transform_usable(const glm::dmat4& affine, const std::string& path);
+
+}  // namespace amalgam::scene

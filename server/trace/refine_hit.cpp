@@ -1,0 +1,94 @@
+#include "trace/refine_hit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <optional>
+
+namespace amalgam::trace {
+namespace {
+
+// A triangle in its mesh's frame: its first corner, and its edges from there.
+struct Triangle {
+  glm::dvec3 a, edge_u, edge_v;
+};
+
+Triangle triangle_of(const EmbreeScene& scene, const Hit& hit) {
+  const auto& corners = scene.triangle(hit).corners;
+  const glm::dvec3 a(corners[0]);
+  return {a, glm::dvec3(corners[1]) - a, glm::dvec3(corners[2]) - a};
+}
+
+bool is_finite(const Hit& hit) {
+  return std::isfinite(hit.barycentric.x) && std::isfinite(hit.barycentric.y) &&
+         std::isfinite(hit.t);
+}
+
+// By how much the point lies beside the triangle, in barycentric coordinates.
+double beside(const Hit& hit) {
+  const glm::dvec2& b = hit.barycentric;
+  return std::max(-b.x, std::max(-b.y, b.x + b.y - 1.0));
+}
+
+}  // namespace
+
+// Möller and Trumbore 1997, with the line carried into the mesh's frame: its direction is not unit
+// there, and t stays what it is in the world.
+Hit in_plane_of(const EmbreeScene& scene, const Hit& hit, const glm::dvec3& start,
+                const glm::dvec3& direction) {
+  const glm::dmat4& mesh_from_world = scene.placed(hit.instance).mesh_from_world;
+  const glm::dvec3 from(mesh_from_world * glm::dvec4(start, 1.0));
+  const glm::dvec3 along = glm::dmat3(mesh_from_world) * direction;
+  const auto [a, edge_u, edge_v] = triangle_of(scene, hit);
+  const glm::dvec3 from_a = from - a;
+  const glm::dvec3 p = glm::cross(along, edge_v), q = glm::cross(from_a, edge_u);
+  const double scale = 1.0 / glm::dot(edge_u, p);
+  return {hit.instance,
+          hit.triangle,
+          {glm::dot(from_a, p) * scale, glm::dot(along, q) * scale},
+          glm::dot(edge_v, q) * scale};
+}
+
+namespace {
+
+// What lies there if another ray looks from nearby, where float is finer and nothing has to be
+// left.
+std::optional<Hit> look_again(const EmbreeScene& scene, const Hit& near, const glm::dvec3& start,
+                              const glm::dvec3& direction, Visible visible) {
+  constexpr double kBack = 1e-3;
+  const double t = near.t * (1.0 - kBack);
+  const Ray ray{glm::vec3(start + t * direction), glm::vec3(direction),
+                static_cast<float>(2.0 * kBack * near.t)};
+  const auto met = scene.intersect(ray, visible);
+  if (!met) return std::nullopt;
+  return in_plane_of(scene, *met, start, direction);
+}
+
+// The triangle's edge beside the line, and where the line passes it: seen at a flat angle, that is
+// far from where the line meets the triangle's plane.
+Hit nearest_edge(const EmbreeScene& scene, Hit hit, const glm::dvec3& start,
+                 const glm::dvec3& direction) {
+  const glm::dvec2 inside = glm::max(hit.barycentric, glm::dvec2(0.0));
+  hit.barycentric = inside / std::max(1.0, inside.x + inside.y);
+  const auto [a, edge_u, edge_v] = triangle_of(scene, hit);
+  const glm::dvec3 in_mesh = a + hit.barycentric.x * edge_u + hit.barycentric.y * edge_v;
+  const glm::dvec3 point(scene.placed(hit.instance).world_from_mesh * glm::dvec4(in_mesh, 1.0));
+  hit.t = glm::dot(point - start, direction);
+  return hit;
+}
+
+}  // namespace
+
+Hit refine_hit(const EmbreeScene& scene, const Hit& traced, const glm::dvec3& start,
+               const glm::dvec3& direction, Visible visible) {
+  const Hit hit = in_plane_of(scene, traced, start, direction);
+  constexpr double kFar = 0.01;
+  if (!is_finite(hit) || !(hit.t > 0.0) || beside(hit) >= kFar) return traced;
+  if (beside(hit) <= 0.0) return hit;
+  const auto other = look_again(scene, hit, start, direction, visible);
+  if (other && beside(*other) <= 0.0 && other->t > 0.0) return *other;
+  return nearest_edge(scene, hit, start, direction);
+}
+
+}  // namespace amalgam::trace
