@@ -94,6 +94,28 @@ TEST(Operation, DrainingFinishesWhatIsInFlight) {
   server.join();
 }
 
+TEST(Operation, FramesThatComeWhileDrainingAreSkippedAndCounted) {
+  TestServer server;
+  TestClient client = server.session();
+  server.service.hold();
+  client.send(frame_message(1));
+  ASSERT_TRUE(server.service.wait_taken(1));
+  server.server().drain();
+  client.expect(Envelope::kDraining);
+  client.send(frame_message(2));
+  client.send(frame_message(3));
+  Envelope ping;
+  ping.mutable_ping()->set_nonce(1);
+  client.send(ping);
+  client.expect(Envelope::kPong);  // so they have been read
+  EXPECT_THAT(server.admin("/metrics").body,
+              HasSubstr("amalgam_frames_skipped_total{reason=\"draining\"} 2"));
+  server.service.release();
+  EXPECT_EQ(client.expect(Envelope::kComposite).composite().skipped(), 2u);
+  EXPECT_TRUE(client.closed_by_server());
+  server.join();
+}
+
 TEST(Operation, DrainingDoesNotWaitForEver) {
   net::ServerConfig config = test_config();
   config.drain_timeout = std::chrono::milliseconds(200);

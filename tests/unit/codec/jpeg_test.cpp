@@ -114,6 +114,26 @@ TEST(Jpeg, RefusesMoreScansThanComponents) {
   EXPECT_THAT(refusal(jpeg), testing::HasSubstr("more scans"));
 }
 
+// As many as there are components, and not one more.
+TEST(Jpeg, AcceptsAsManyScansAsComponents) {
+  const auto with_scans = [](Bytes jpeg, int more) {
+    jpeg.resize(jpeg.size() - 2);  // the end marker
+    const Bytes scan{std::byte{0xFF}, std::byte{0xDA}, std::byte{0}, std::byte{2}};
+    for (int i = 0; i < more; ++i) jpeg.insert(jpeg.end(), scan.begin(), scan.end());
+    return jpeg;
+  };
+  const Bytes color = encode_jpeg(gradient(16, 16), 80);
+  EXPECT_EQ(refusal(with_scans(color, 2)), "accepted");
+  EXPECT_THAT(refusal(with_scans(color, 3)), testing::HasSubstr("more scans"));
+  // Grey: one component in the frame header, and what it says of the other two is gone.
+  const std::size_t sof = frame_marker(color);
+  Bytes grey = with_byte(with_byte(color, sof + 2, 8 + 3), sof + 8, 1);
+  grey.erase(grey.begin() + static_cast<std::ptrdiff_t>(sof) + 12,
+             grey.begin() + static_cast<std::ptrdiff_t>(sof) + 18);
+  EXPECT_EQ(refusal(with_scans(grey, 0)), "accepted");
+  EXPECT_THAT(refusal(with_scans(grey, 1)), testing::HasSubstr("more scans"));
+}
+
 TEST(Jpeg, RefusesEveryTruncation) {
   const Bytes jpeg = encode_jpeg(gradient(64, 64), 80);
   for (std::size_t size = 0; size < jpeg.size(); ++size) {

@@ -243,5 +243,35 @@ TEST(Governor, SameCostsSameChoices) {
   }
 }
 
+// Two levels, the second at half the cost of tracing; a budget of 10 ms.
+Governor two_levels() {
+  std::vector<QualityLevel> ladder(2);
+  ladder[1].trace_cost = 0.5;
+  return Governor(10.0, ladder, {{90}});
+}
+
+// The object that is traced comes nearer just as the quality changes, and goes back: a level that
+// takes 11 ms is not tried again although the frame's time has hardly changed.
+TEST(Governor, CostsAreLearnedForEachSpecularPixel) {
+  Governor governor = two_levels();
+  governor.frame_done({.trace = 11.0, .specular = 0.1});
+  ASSERT_EQ(governor.report().level, 1);
+  for (int i = 0; i < 10; ++i) governor.frame_done({.trace = 8.8, .specular = 0.16});
+  for (int i = 0; i < 20; ++i) governor.frame_done({.trace = 5.5, .specular = 0.1});
+  EXPECT_EQ(governor.report().level, 1);
+}
+
+// The cost jumps from 6 to 12 ms. What the better level took is the latter, not the mean of many
+// frames: at 6 ms in the second level it would take 12 again.
+TEST(Governor, AJumpIsFollowedAtOnce) {
+  Governor governor = two_levels();
+  for (int i = 0; i < 20; ++i) governor.frame_done({.trace = 6.0, .specular = 0.1});
+  ASSERT_EQ(governor.report().level, 0);
+  governor.frame_done({.trace = 12.0, .specular = 0.1});
+  ASSERT_EQ(governor.report().level, 1);
+  for (int i = 0; i < 20; ++i) governor.frame_done({.trace = 6.0, .specular = 0.1});
+  EXPECT_EQ(governor.report().level, 1);
+}
+
 }  // namespace
 }  // namespace amalgam::frame

@@ -133,6 +133,50 @@ TEST(RenderThread, EnvironmentIsReplacedOrRefusedWithAReason) {
   EXPECT_TRUE(std::holds_alternative<FrameOutput>(inbox.at(0).second));
 }
 
+// Views take turns, whoever is quickest.
+TEST(RenderThread, AViewThatSubmitsAgainAtOnceDoesNotStarveTheOthers) {
+  std::vector<int> served;  // written by the render thread until it is done
+  std::promise<void> done;
+  RenderThread service(kScene, {});
+  ViewId first = 0, eager = 0, last = 0;
+  first = service.open_view(small_view(), [&](auto, const auto&) { served.push_back(1); });
+  eager = service.open_view(small_view(), [&](std::uint64_t frame, const auto&) {
+    served.push_back(2);
+    if (frame == 3) return done.set_value();
+    service.submit(eager, frame + 1, grey_frame());
+    if (frame == 1) {
+      service.submit(first, 1, grey_frame());
+      service.submit(last, 1, grey_frame());
+    }
+  });
+  last = service.open_view(small_view(), [&](auto, const auto&) { served.push_back(3); });
+  service.submit(eager, 1, grey_frame());
+  ASSERT_EQ(done.get_future().wait_for(std::chrono::seconds(60)), std::future_status::ready);
+  EXPECT_EQ(served, (std::vector{2, 3, 1, 2, 2}));
+}
+
+// Whoever sent an environment hears what became of it, even if a newer one came before its turn.
+TEST(RenderThread, TheSenderOfAReplacedEnvironmentIsAnswered) {
+  const EnvironmentInput input{
+      .image = codec::encode_jpeg(common::ImageRgb8(64, 32, common::Rgb8(200, 40, 40)), 90)};
+  std::optional<std::string> answer;
+  std::promise<std::optional<std::string>> newer;
+  RenderThread service(kScene, {});
+  // While it delivers, the render thread takes no environment.
+  const ViewId view = service.open_view(small_view(), [&](auto, const auto&) {
+    service.set_environment(input, [&](std::optional<std::string> error) { answer = error; });
+    EXPECT_FALSE(answer.has_value());
+    service.set_environment(input,
+                            [&](std::optional<std::string> error) { newer.set_value(error); });
+    EXPECT_TRUE(answer.has_value());
+  });
+  service.submit(view, 1, grey_frame());
+  auto applied = newer.get_future();
+  ASSERT_EQ(applied.wait_for(std::chrono::seconds(60)), std::future_status::ready);
+  EXPECT_EQ(applied.get(), std::nullopt);
+  EXPECT_TRUE(answer.has_value());
+}
+
 TEST(RenderThread, StartFailureReachesTheCaller) {
   EXPECT_THROW(RenderThread("/nowhere/scene.gltf", {}), std::exception);
 }

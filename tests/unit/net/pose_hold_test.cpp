@@ -5,6 +5,8 @@
 
 #include <limits>
 
+#include "net/server_config.h"
+
 namespace amalgam::net {
 namespace {
 
@@ -89,6 +91,11 @@ TEST(PoseHold, NeverHoldsMoreThanFitIntoAFrame) {
     most = std::max(most, resolved.poses.size());
   }
   EXPECT_EQ(most, 64u);
+}
+
+// The protocol promises clients 250 ms.
+TEST(PoseHold, SessionsHoldAsLongAsTheProtocolSays) {
+  EXPECT_EQ(SessionLimits().pose_hold, milliseconds(250));
 }
 
 }  // namespace

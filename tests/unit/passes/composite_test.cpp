@@ -42,6 +42,21 @@ TEST(Composite, CoversAddsAndMixes) {
   EXPECT_EQ(out.at(2, 0), scene::srgb_encode(seen + glm::vec3(-0.1f, 0.0f, 0.1f)));
 }
 
+// All of eq. 4.5 in one pixel: what is covered takes from the camera alone and not from the
+// difference, and all is added before anything is cut to what a byte holds.
+TEST(Composite, AddsEverythingInLinearLightAndClampsLast) {
+  core::Layers layers = empty_layers(2, 1);
+  const glm::vec4 over(0.1f, 0.2f, 0.05f, 0.25f);
+  const glm::vec3 difference(0.2f, -0.05f, 0.1f);
+  layers.set(0, 0, over, difference);
+  layers.set(1, 0, glm::vec4(1.5f, 1.75f, 2.0f, 1.0f), glm::vec3(-1.0f, -1.5f, -1.25f));
+  const common::ImageRgb8 camera(2, 1, common::Rgb8(120, 90, 200));
+  const glm::vec3 seen = scene::srgb_decode(camera.at(0, 0));
+  const common::ImageRgb8 out = composite(layers, camera);
+  EXPECT_EQ(out.at(0, 0), scene::srgb_encode(glm::vec3(over) + 0.75f * seen + difference));
+  EXPECT_EQ(out.at(1, 0), scene::srgb_encode(glm::vec3(0.5f, 0.25f, 0.75f)));
+}
+
 // A bright object on a dark image: the half-covered pixel lies between the two, without a rim.
 TEST(Composite, HalfCoverageHasNoRim) {
   core::Layers layers = empty_layers(1, 1);

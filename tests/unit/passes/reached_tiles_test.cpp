@@ -224,6 +224,41 @@ TEST(ReachedTiles, AreAllThatAnyPointsLookUpIsShadedIn) {
   EXPECT_GT(left_out, 1000);
 }
 
+// A spot's map is asked a little beyond its border too, since the filter still reads a texel there:
+// a tile of points that all lie within half a texel beyond, on each side.
+TEST(ReachedTiles, WhatLiesJustBeyondASpotsBorderIsAsked) {
+  constexpr int kSize = 16;
+  // A light in the origin that looks along -z, 45 degrees to each side.
+  glm::mat4 clip(0.0f);
+  clip[0][0] = clip[1][1] = 1.0f;
+  clip[3][2] = static_cast<float>(kNearPlane);
+  clip[2][3] = -1.0f;
+  ShadowLayout layout;
+  layout.size = kSize;
+  layout.layers.resize(1);
+  layout.layers[0].clip_from_world = clip;
+  layout.layers[0].perspective = 1;
+  layout.gpu_lights.resize(1);
+  layout.gpu_lights[0].layer_count = 1;  // and no lift: its texels have no size
+  // Something half way between the light and whatever is 1 m away, everywhere.
+  const auto half_way = static_cast<float>(2.0 * kNearPlane);
+  const CasterCells cells =
+      CasterCells::of_depths(std::vector<float>(kSize * kSize, half_way), kSize);
+  const CasterCells* casters[] = {&cells};
+  const DepthRange depths[] = {{0.999, 1.001}};
+  const auto shadowed = [&](const glm::dvec2& at) {
+    // A tile of 16 mm at 1 m; at: in clip coordinates.
+    const RenderView view = make_view(scene::Scene(), make_pinhole(16, 16, 1000.0),
+                                      look_at(glm::dvec3(at, 0.0), glm::dvec3(at, -1.0)), {});
+    return tiles_in_shadow(view, layout, casters, depths).front() != 0;
+  };
+  const double half_a_texel = 1.0 / kSize, four_texels = 8.0 / kSize;
+  for (const glm::dvec2& side : {glm::dvec2(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
+    EXPECT_TRUE(shadowed((1.0 + 0.7 * half_a_texel) * side)) << side.x << " " << side.y;
+    EXPECT_FALSE(shadowed((1.1 + four_texels) * side)) << side.x << " " << side.y;
+  }
+}
+
 // A tile wrongly left out would lack a shadow.
 TEST(ReachedTiles, LeaveOutNothingThatTheWholePictureShows) {
   std::size_t reached = 0, all = 0, showing = 0;

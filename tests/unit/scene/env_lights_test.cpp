@@ -126,6 +126,27 @@ TEST(EnvLights, MedianCutGivesTheNumberAskedForAndSimilarEnergies) {
   }
 }
 
+// Regions are cut across their longer side on the sphere. Sixteen regions of equal energy are four
+// by four: those that touch a pole are higher than wide, although on the map they are square.
+TEST(EnvLights, MedianCutMeasuresRegionsOnTheSphere) {
+  const auto lights = median_cut(constant(128, 64, glm::vec3(1.0f)), 16);
+  ASSERT_EQ(lights.size(), 16u);
+  // Of a quarter of the band between the heights 1/2 and 1 the centroid is (h, 3/4, h), h being
+  // (pi/3 - sqrt(3)/4) 2/pi; of the one between 0 and 1/2 it is (h, 1/4, h), h being
+  // (pi/6 + sqrt(3)/4) 2/pi.
+  constexpr double kPi = std::numbers::pi;
+  const double wide = std::sqrt(3.0) / 4.0;
+  const auto height = [](double y, double h) { return y / std::sqrt(y * y + 2.0 * h * h); };
+  const double high = height(0.75, (kPi / 3.0 - wide) * 2.0 / kPi);
+  const double low = height(0.25, (kPi / 6.0 + wide) * 2.0 / kPi);
+  const auto count_near = [&](double expected) {
+    return std::count_if(lights.begin(), lights.end(), [&](const Light& light) {
+      return std::abs(light.to_light.y - expected) < 0.03;  // cuts are at whole texels
+    });
+  };
+  for (const double expected : {high, low, -low, -high}) EXPECT_EQ(count_near(expected), 4);
+}
+
 TEST(EnvLights, ASunIsFoundWhereItStands) {
   Environment environment = constant(128, 64, glm::vec3(0.0f));
   environment.radiance.at(90, 12) = glm::vec3(1000.0f);

@@ -32,5 +32,12 @@ TEST(Media, TooDeepNestingForgetsTheOutermost) {
   EXPECT_FALSE(media.left(6).innermost());
 }
 
+// Of a medium entered twice, with another between, the inner one is left.
+TEST(Media, LeavingWhatWasEnteredTwiceKeepsTheOuter) {
+  const Media left = Media().entered(1).entered(2).entered(1).left(1);
+  EXPECT_EQ(left.innermost(), 2u);
+  EXPECT_EQ(left.left(2).innermost(), 1u);
+}
+
 }  // namespace
 }  // namespace amalgam::trace

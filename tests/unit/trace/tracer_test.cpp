@@ -84,6 +84,25 @@ TEST(Tracer, FacingMirrorsFollowTheGeometricSeries) {
   }
 }
 
+// A branch's importance is the largest channel of its weight: a mirror that reflects one color
+// alone is followed. What is at the cut-off goes on, what is below ends.
+TEST(Tracer, TheLargestChannelDecidesAboutTheCutOff) {
+  for (int channel = 0; channel < 3; ++channel) {
+    glm::vec3 color(0.0f);
+    color[channel] = 0.5f;
+    scene::Scene scene;
+    add_object(scene, test_support::make_quad(glm::vec3(0.0f), {1, 0, 0}, {0, 1, 0}),
+               test_support::make_mirror(color), scene::Role::Virtual);
+    add_object(scene, test_support::make_box({-1, -1, 3}, {1, 1, 4}), emitter(1.0f),
+               scene::Role::Virtual);
+    const auto seen = [&](float cutoff) {
+      return trace_ray(scene, {0, 0, 2}, {0, 0, 0}, {.importance_cutoff = cutoff});
+    };
+    EXPECT_EQ(seen(0.5f), color);
+    EXPECT_EQ(seen(0.51f), glm::vec3(0.0f));
+  }
+}
+
 // numerics B9: in a furnace of radiance 1 any glass looks like the furnace, whatever the depth.
 TEST(Tracer, FurnaceHidesGlass) {
   const scene::Environment environment = constant_environment(1.0f);
