@@ -106,6 +106,18 @@ TEST(Jpeg, RefusesAtTheHeaderAndSaysWhy) {
   EXPECT_THAT(refusal({}), testing::HasSubstr("not a JPEG"));
 }
 
+TEST(Jpeg, SidesEndAtTheirLimit) {
+  const Bytes good = encode_jpeg(gradient(16, 16), 80);
+  const std::size_t sof = frame_marker(good);
+  const auto of_size = [&](int width, int height) {
+    Bytes jpeg = with_byte(with_byte(good, sof + 4, height / 256), sof + 5, height % 256);
+    return refusal(with_byte(with_byte(jpeg, sof + 6, width / 256), sof + 7, width % 256));
+  };
+  EXPECT_EQ(of_size(kMaxJpegSide, kMaxJpegSide), "accepted");
+  EXPECT_THAT(of_size(kMaxJpegSide + 1, 1), testing::HasSubstr("2049x1"));
+  EXPECT_THAT(of_size(1, kMaxJpegSide + 1), testing::HasSubstr("1x2049"));
+}
+
 TEST(Jpeg, RefusesMoreScansThanComponents) {
   Bytes jpeg = encode_jpeg(gradient(16, 16), 80);
   jpeg.resize(jpeg.size() - 2);  // the end marker

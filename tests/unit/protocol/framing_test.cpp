@@ -75,6 +75,22 @@ TEST(Framing, OneByteAtATimeAndAllCoalescedGiveTheSame) {
   for (std::size_t i = 0; i < actual.size(); ++i) EXPECT_EQ(encode(actual[i]), encode(expected[i]));
 }
 
+// Protobuf would merge what is left of an earlier message with the next: poses would add up, and
+// what is 0 would keep its last value.
+TEST(Framing, NothingOfAMessageIsLeftInTheNext) {
+  Envelope full = frame_of(10);
+  full.mutable_camera_frame()->set_frame_id(7);
+  full.mutable_camera_frame()->add_poses()->set_marker(40);
+  const std::vector<Envelope> sent{full, full, frame_of(0), ping(3), ping(0)};
+  std::string stream;
+  for (const Envelope& envelope : sent) stream += encode(envelope);
+  Decoder decoder(limits_of_server());
+  const std::vector<Envelope> received = decode_all(decoder, as_bytes(stream));
+  ASSERT_EQ(received.size(), sent.size());
+  for (std::size_t i = 0; i < sent.size(); ++i)
+    EXPECT_EQ(encode(received[i]), encode(sent[i])) << i;
+}
+
 TEST(Framing, TellsHowMuchOfAMessageIsHere) {
   const std::string bytes = encode(ping(300));
   Decoder decoder(limits_of_server());
@@ -107,6 +123,20 @@ TEST(Framing, LargestMessagesAreAcceptedAndOneByteMoreIsNot) {
   Decoder decoder(limits_of_server());
   EXPECT_EQ(decode_all(decoder, as_bytes(largest)).size(), 1u);
   EXPECT_TRUE(is_failure(decoder, encode(frame_of(kMaxCameraFrameBytes - overhead + 1))));
+}
+
+TEST(Framing, LargestControlMessagesAreAcceptedAndOneByteMoreIsNot) {
+  const auto hello = [](std::size_t token_bytes) {
+    Envelope envelope;
+    envelope.mutable_hello()->set_token(std::string(token_bytes, 't'));
+    return encode(envelope);
+  };
+  const std::size_t overhead = hello(kMaxControlBytes / 2).size() - kMaxControlBytes / 2;
+  const std::string largest = hello(kLengthBytes + kMaxControlBytes - overhead);
+  ASSERT_EQ(largest.size(), kLengthBytes + kMaxControlBytes);
+  Decoder decoder(limits_of_server());
+  EXPECT_EQ(decode_all(decoder, as_bytes(largest)).size(), 1u);
+  EXPECT_TRUE(is_failure(decoder, hello(kLengthBytes + kMaxControlBytes - overhead + 1)));
 }
 
 TEST(Framing, ControlMessagesAreJudgedByTheirFirstByte) {

@@ -17,6 +17,9 @@ TEST(Geometry, CamerasComeBack) {
   EXPECT_EQ(from_message(to_message(camera)), camera);
   camera.distortion = {-0.1, 0.02, 0.001, -0.002, 0.003};
   EXPECT_EQ(from_message(to_message(camera)), camera);
+  camera.distortion = {};
+  camera.distortion.back() = 0.004;
+  EXPECT_EQ(from_message(to_message(camera)), camera);
 }
 
 TEST(Geometry, PosesKeepTheirOrderOfComponents) {
