@@ -96,6 +96,20 @@ TEST(CameraModel, NothingIsSeenBeyondAFold) {
   EXPECT_FALSE(undistort(camera, {0.8, 0.0}));  // no radius is distorted to more than 0.703
 }
 
+// A tangential coefficient alone, along its own axis: x + 3 p x^2 turns back at x = -1 / (6 p).
+TEST(CameraModel, TangentialDistortionFoldsWhereItTurnsBack) {
+  CameraModel camera = pinhole();
+  for (const int axis : {0, 1}) {
+    camera.distortion = {};
+    camera.distortion[axis == 0 ? 3 : 2] = -0.3;
+    glm::dvec3 before(0.0, 0.0, 1.0), beyond(0.0, 0.0, 1.0);
+    before[axis] = 0.54;
+    beyond[axis] = 0.57;
+    EXPECT_TRUE(project(camera, before));
+    EXPECT_FALSE(project(camera, beyond));
+  }
+}
+
 TEST(CameraModel, IdealCameraSeesEveryBorderPixel) {
   for (const CameraModel& camera : {photograph_camera(), all_coefficients()}) {
     const CameraModel ideal = ideal_camera_covering(camera);
@@ -123,8 +137,46 @@ TEST(CameraModel, IdealCameraSeesEveryBorderPixel) {
   }
 }
 
+// Of a barrel lens, whose principal point is not in the middle: a whole pixel more on each side
+// than the border needs, and less than two.
+TEST(CameraModel, IdealCameraHasTheMarginsThatEachSideNeeds) {
+  CameraModel camera = pinhole();
+  camera.distortion = {-0.2};
+  const CameraModel ideal = ideal_camera_covering(camera);
+  glm::dvec2 low(1e9), high(-1e9);
+  const auto visit = [&](double x, double y) {
+    const glm::dvec2 at = *project(ideal, *pixel_direction(camera, {x, y}));
+    low = glm::min(low, at);
+    high = glm::max(high, at);
+  };
+  for (double x = -0.5; x <= camera.width - 0.5; ++x) {
+    visit(x, -0.5);
+    visit(x, camera.height - 0.5);
+  }
+  for (double y = -0.5; y <= camera.height - 0.5; ++y) {
+    visit(-0.5, y);
+    visit(camera.width - 0.5, y);
+  }
+  const glm::dvec2 last(ideal.width - 0.5, ideal.height - 0.5);
+  for (const glm::dvec2& margin : {low + 0.5, last - high}) {
+    for (const int axis : {0, 1}) {
+      EXPECT_GT(margin[axis], 0.9);  // corners lie farthest out, and are among the points asked for
+      EXPECT_LT(margin[axis], 2.1);
+    }
+  }
+}
+
 TEST(CameraModel, WithoutDistortionTheIdealCameraIsTheCamera) {
   EXPECT_EQ(ideal_camera_covering(pinhole()), pinhole());
+}
+
+// 60 degrees wide, and pixel (x, y) has its centre at (x, y).
+TEST(CameraModel, TheDefaultCameraLooksAtTheMiddleOfItsImage) {
+  const CameraModel camera = default_camera(640, 480);
+  EXPECT_EQ(glm::dvec2(camera.cx, camera.cy), glm::dvec2(319.5, 239.5));
+  const glm::dvec3 left = *pixel_direction(camera, {-0.5, 239.5});
+  EXPECT_NEAR(left.x, -1.0 / std::sqrt(3.0), 1e-12);
+  EXPECT_NEAR(left.y, 0.0, 1e-12);
 }
 
 TEST(CameraModel, DefectsAreDescribed) {
