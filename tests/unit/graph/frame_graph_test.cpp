@@ -105,6 +105,24 @@ TEST(FrameGraph, OneAlternativeIsEnoughAndNoneIsNot) {
   EXPECT_EQ(graph.reason_absent(none), "nothing to draw");
 }
 
+// One is enough, but a pass is given all that there are.
+TEST(FrameGraph, AllAlternativesAreMade) {
+  FrameGraph graph;
+  int runs = 0;
+  const auto a = add_constant(graph, "a", 1, runs), b = add_constant(graph, "b", 2, runs);
+  Builder builder = graph.add_pass("merge");
+  builder.needs_any(a);
+  builder.needs_any(b);
+  const auto out = builder.writes<int>("merged");
+  builder.runs([=](const Access& access) {
+    const int *first = access.find(a), *second = access.find(b);
+    access.set(out, (first != nullptr ? *first : 0) + (second != nullptr ? *second : 0));
+  });
+  ASSERT_NE(graph.realise(out), nullptr);
+  EXPECT_EQ(*graph.realise(out), 3);
+  EXPECT_EQ(runs, 2);
+}
+
 TEST(FrameGraph, AnAbsentResourceSaysWhy) {
   FrameGraph graph;
   const auto missing = graph.absent<int>("shadow bound", "every sample is traced");
