@@ -79,6 +79,17 @@ TEST(EnvironmentMessage, ScalesTheLensToThePicture) {
   EXPECT_NEAR(fisheye.world_from_fisheye().z(), 0.7071068, 1e-6);
 }
 
+// A picture that is too large is sent smaller, and its lens with it.
+TEST(EnvironmentMessage, ScalesTheLensToThePictureThatIsSent) {
+  const auto calibration = lens(std::string(kMatrix) + "image_width: 1000\nimage_height: 800\n" +
+                                "max_angle_degrees: 95\n" + kUp);
+  const protocol::Fisheye fisheye =
+      load_environment(picture(2560, 2048), calibration).environment().fisheye();
+  EXPECT_EQ(fisheye.width(), 2048u);
+  EXPECT_EQ(fisheye.height(), 1638u);
+  EXPECT_NEAR(fisheye.fx(), 300.0 * 2.048, 1e-9);
+}
+
 TEST(EnvironmentMessage, SaysWhatIsWrong) {
   const auto image = picture(1000, 800);
   const auto defect = [&](const std::string& text) {

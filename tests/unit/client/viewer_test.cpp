@@ -254,6 +254,19 @@ TEST(FramesInFlight, CountsByWhatTheAnswerSays) {
   EXPECT_FLOAT_EQ(static_cast<float>(ledger.latency().p99), 100.0f);
 }
 
+// The nearest rank: of 1 to 100 ms the 50th, the 95th and the 99th.
+TEST(FramesInFlight, PercentilesAreOfTheNearestRank) {
+  FramesInFlight ledger;
+  const FramesInFlight::Clock::time_point start{};
+  for (std::uint64_t id = 1; id <= 100; ++id) {
+    ledger.captured(id, start);
+    ledger.composited(id, false, start + id * 1ms);
+  }
+  EXPECT_FLOAT_EQ(static_cast<float>(ledger.latency().median), 50.0f);
+  EXPECT_FLOAT_EQ(static_cast<float>(ledger.latency().p95), 95.0f);
+  EXPECT_FLOAT_EQ(static_cast<float>(ledger.latency().p99), 99.0f);
+}
+
 TEST(Options, ReadsAddressesAndSizes) {
   EXPECT_EQ(parse_server("[::1]:80"), (common::HostPort{"::1", 80}));
   EXPECT_EQ(parse_server("desk.example:7447"), (common::HostPort{"desk.example", 7447}));

@@ -80,6 +80,26 @@ TEST_F(DeadlinesTest, AWriteThatIsNotTakenEvicts) {
   EXPECT_FALSE(deadlines_.passed(kStart + seconds(5)));
 }
 
+// Once it is whole, nothing of a message is waited for, and silence counts from then on.
+TEST_F(DeadlinesTest, AMessageThatHasEndedHasNoTime) {
+  deadlines_.authenticated(kStart);
+  deadlines_.received_part(100'000, kStart);
+  deadlines_.received_message(kStart + seconds(1));
+  deadlines_.received_part(0, kStart + seconds(1));
+  EXPECT_FALSE(deadlines_.passed(kStart + milliseconds(5999)));
+  EXPECT_EQ(deadlines_.passed(kStart + seconds(6)), Passed::Idle);
+}
+
+TEST_F(DeadlinesTest, NextIsTheEndOfAWriteIfThatComesFirst) {
+  deadlines_.authenticated(kStart);
+  deadlines_.write_begun(kStart);
+  ASSERT_TRUE(deadlines_.ping_due(kStart + milliseconds(4500)));
+  deadlines_.received_message(kStart + milliseconds(4500));
+  EXPECT_EQ(deadlines_.next(), kStart + seconds(5));
+  deadlines_.write_ended();
+  EXPECT_EQ(deadlines_.next(), kStart + milliseconds(5500));
+}
+
 TEST_F(DeadlinesTest, NextLiesAheadWhileNothingHasPassed) {
   deadlines_.authenticated(kStart);
   deadlines_.received_part(10'000'000, kStart);  // begun: silence is not judged, progress is

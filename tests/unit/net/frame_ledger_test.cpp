@@ -32,5 +32,16 @@ TEST(FrameLedger, EveryFrameIsAnsweredInFlightOrSkipped) {
   EXPECT_EQ(ledger.sent_count() + ledger.skipped_count(), ledger.received_count());
 }
 
+// One that renders, one that waits, and one whose result is on its way here.
+TEST(FrameLedger, AllThatIsAbandonedCounts) {
+  Metrics metrics;
+  FrameLedger ledger(metrics);
+  for (int i = 0; i < 3; ++i) ledger.submit(entry(ledger.receive(10)), false);
+  ledger.abandon();
+  EXPECT_EQ(ledger.skipped_count(), 3u);
+  EXPECT_NE(metrics.text().find("amalgam_frames_skipped_total{reason=\"closed\"} 3"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace amalgam::net

@@ -44,6 +44,18 @@ TEST(ExposureMeter, DoesNotMoveWithWhatTheModelDoesNotKnow) {
   EXPECT_EQ(meter(constant_grid(0.5f), image), expected);
 }
 
+// Entry (x, y) is of the middle of its block: what the camera shows elsewhere does not count.
+TEST(ExposureMeter, LooksAtThePixelsThatTheGridWasDrawnFor) {
+  constexpr int kStep = 4;
+  common::ImageRgb8 image(kWidth, kHeight, common::Rgb8(60));
+  for (int y = kStep / 2; y < kHeight; y += kStep) {
+    for (int x = kStep / 2; x < kWidth; x += kStep) image.at(x, y) = common::Rgb8(150);
+  }
+  const common::ImageRgb8 everywhere(kWidth, kHeight, common::Rgb8(150));
+  EXPECT_EQ(meter(constant_grid(0.5f, kStep), image),
+            meter(constant_grid(0.5f, kStep), everywhere));
+}
+
 // numerics B18: black, infinite and missing pixels change nothing; nothing at all gives nothing.
 TEST(ExposureMeter, UnusablePixelsDoNotCount) {
   const common::ImageRgb8 image(kWidth, kHeight, common::Rgb8(150));
@@ -55,7 +67,9 @@ TEST(ExposureMeter, UnusablePixelsDoNotCount) {
   grid.real.at(0, 1) = glm::vec4(100, 100, 100, 0);  // not a real surface
   EXPECT_EQ(meter(grid, image), expected);
   EXPECT_FALSE(meter(constant_grid(0.0f), image));
-  EXPECT_FALSE(meter(constant_grid(0.5f), common::ImageRgb8(kWidth, kHeight, common::Rgb8(0))));
+  for (const common::Rgb8& clipped : {common::Rgb8(0), common::Rgb8(255)}) {
+    EXPECT_FALSE(meter(constant_grid(0.5f), common::ImageRgb8(kWidth, kHeight, clipped)));
+  }
 }
 
 TEST(ExposureMemory, TakesTheFirstReadingAndApproachesLaterOnes) {

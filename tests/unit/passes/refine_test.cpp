@@ -58,5 +58,24 @@ TEST(FindEdges, AnotherObjectOrDistanceIsAnEdgeAtAnyColor) {
   EXPECT_EQ(count(find_edges(layers, &hits, 0.03f)), 0) << "a slanted surface";
 }
 
+// An object that fills its tile exactly: its edges lie between that tile and its neighbours, in
+// which there is nothing.
+TEST(FindEdges, EdgesBetweenTilesAreFoundOnEachSide) {
+  constexpr int kSide = core::kTileSide;
+  core::Layers layers(glm::ivec2(3 * kSide));
+  for (int y = kSide; y < 2 * kSide; ++y) {
+    for (int x = kSide; x < 2 * kSide; ++x) layers.set(x, y, glm::vec4(1.0f), glm::vec3(0.0f));
+  }
+  const auto edges = find_edges(layers, nullptr, 0.03f);
+  const int middle = kSide + kSide / 2;
+  for (const int border : {kSide, 2 * kSide}) {
+    for (const int side : {border - 1, border}) {
+      EXPECT_EQ(edges.at(side, middle), 1) << side;
+      EXPECT_EQ(edges.at(middle, side), 1) << side;
+    }
+  }
+  EXPECT_EQ(count(edges), 4 * 2 * kSide - 4) << "a corner's two edges share its inner pixel";
+}
+
 }  // namespace
 }  // namespace amalgam::passes
