@@ -108,7 +108,7 @@ class Copy:
             self.environment.setdefault("AMALGAM_TEST_DATA", str(data))
 
     def make(self):
-        commit = must("git", "stash", "create", cwd=ROOT) or "HEAD"
+        commit = must("git", "stash", "create", cwd=ROOT) or must("git", "rev-parse", "HEAD", cwd=ROOT)
         if self.source.exists():
             must("git", "checkout", "--force", "--detach", commit, cwd=self.source)
         else:
