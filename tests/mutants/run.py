@@ -19,6 +19,7 @@ files), with its own build folder. ccache makes second runs quick.
 
 import argparse
 import collections
+import fcntl
 import fnmatch
 import os
 import pathlib
@@ -108,6 +109,12 @@ class Copy:
             self.environment.setdefault("AMALGAM_TEST_DATA", str(data))
 
     def make(self):
+        self.folder.mkdir(parents=True, exist_ok=True)
+        self.lock = open(self.folder / "lock", "w", encoding="utf-8")
+        try:
+            fcntl.flock(self.lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError:
+            raise MutantError(f"another run uses {self.folder}") from None
         commit = must("git", "stash", "create", cwd=ROOT) or must("git", "rev-parse", "HEAD", cwd=ROOT)
         if self.source.exists():
             must("git", "checkout", "--force", "--detach", commit, cwd=self.source)
@@ -226,11 +233,9 @@ def main():
     begin = time.monotonic()
     # Always the same one, since its path is compiled into the tests.
     folder = options.folder or pathlib.Path(tempfile.gettempdir()) / "amalgam-mutants"
-    if folder.exists() and not options.folder:
-        raise MutantError(f"{folder} exists: another run uses it, or kept it (--folder uses it)")
     copy = Copy(folder.resolve(), options.jobs, options.limit)
+    copy.make()
     try:
-        copy.make()
         check_without_mistakes(copy, mutants)
         print(f"built and tested without mistakes: {time.monotonic() - begin:.0f} s", flush=True)
         return summarise(try_all(copy, mutants), time.monotonic() - begin)

@@ -151,5 +151,24 @@ TEST(Wire, CompositeSaysWhatQualityWasChosen) {
   EXPECT_EQ(quality.bound(), protocol::Quality::RASTER);
 }
 
+// What a client must keep to, in the protocol's units.
+TEST(Wire, TheWelcomeTellsLimitsAndMarkers) {
+  SessionLimits limits;
+  limits.ping_interval = std::chrono::milliseconds(1250);
+  limits.idle_timeout = std::chrono::seconds(7);
+  const auto envelope = welcome_message(9, limits, {"DICT_4X4_50", 0.04, 3, {3, 5}});
+  const protocol::Welcome& welcome = envelope.welcome();
+  EXPECT_EQ(welcome.session(), 9u);
+  EXPECT_EQ(welcome.limits().ping_interval_ms(), 1250u);
+  EXPECT_EQ(welcome.limits().idle_timeout_ms(), 7000u);
+  EXPECT_EQ(welcome.limits().max_poses(), 64u);
+  EXPECT_EQ(welcome.limits().max_message_bytes(), 4u * 1024 * 1024);
+  EXPECT_EQ(welcome.markers().dictionary(), "DICT_4X4_50");
+  EXPECT_EQ(welcome.markers().length(), 0.04);
+  EXPECT_EQ(welcome.markers().world_marker(), 3);
+  ASSERT_EQ(welcome.markers().ids_size(), 2);
+  EXPECT_EQ(welcome.markers().ids(1), 5);
+}
+
 }  // namespace
 }  // namespace amalgam::net
