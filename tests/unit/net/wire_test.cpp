@@ -34,6 +34,16 @@ TEST(Wire, CameraOfAHello) {
   EXPECT_EQ(options.jpeg_quality, 90);
 }
 
+TEST(Wire, QualitiesUpToAHundredAreTaken) {
+  protocol::Hello hello = good_hello();
+  for (const std::uint32_t quality : {0u, 1u, 100u}) {
+    hello.set_jpeg_quality(quality);
+    EXPECT_EQ(view_options_from(hello).jpeg_quality, static_cast<int>(quality));
+  }
+  hello.set_jpeg_quality(101);
+  EXPECT_THROW(view_options_from(hello), ClientError);
+}
+
 TEST(Wire, CamerasThatCannotBeRenderedWithAreRefused) {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   using Change = std::function<void(protocol::Hello&)>;
@@ -168,6 +178,25 @@ TEST(Wire, TheWelcomeTellsLimitsAndMarkers) {
   EXPECT_EQ(welcome.markers().world_marker(), 3);
   ASSERT_EQ(welcome.markers().ids_size(), 2);
   EXPECT_EQ(welcome.markers().ids(1), 5);
+}
+
+// Each number to its own field.
+TEST(Wire, ACompositeTellsRaysAndPixels) {
+  frame::FrameOutput output;
+  output.statistics.rays = {1, 2, 3, 4, 5, 6};
+  output.statistics.pixels = {.virtual_pixels = 7, .specular = 8, .refined = 9, .total = 10};
+  output.statistics.nonfinite = 11;
+  const protocol::Composite composite = composite_from(output);
+  EXPECT_EQ(composite.rays().primary(), 1u);
+  EXPECT_EQ(composite.rays().reflection(), 2u);
+  EXPECT_EQ(composite.rays().refraction(), 3u);
+  EXPECT_EQ(composite.rays().shadow(), 4u);
+  EXPECT_EQ(composite.rays().lookup(), 5u);
+  EXPECT_EQ(composite.rays().reused(), 6u);
+  EXPECT_EQ(composite.pixels().virtual_pixels(), 7u);
+  EXPECT_EQ(composite.pixels().specular(), 8u);
+  EXPECT_EQ(composite.pixels().total(), 10u);
+  EXPECT_EQ(composite.nonfinite(), 11u);
 }
 
 }  // namespace

@@ -52,6 +52,10 @@ INSTANTIATE_TEST_SUITE_P(
         Breach{R"("count": 3, "type": "VEC2")", R"("count": 0, "type": "VEC2")",
                "accessors[2].count"},
         Breach{R"("count": 3, "type": "VEC2")", R"("count": 2, "type": "VEC2")", "another count"},
+        Breach{R"({"bufferView": 0, "componentType": 5126, "count": 3)",
+               R"({"bufferView": 0, "componentType": 5126, "count": 2)", "another count"},
+        Breach{R"({"bufferView": 1, "componentType": 5126, "count": 3)",
+               R"({"bufferView": 1, "componentType": 5126, "count": 2)", "another count"},
         Breach{R"("type": "VEC2")", R"("type": "VEC7")", "VEC7"},
         Breach{R"("componentType": 5123)", R"("componentType": 5124)", "component type"},
         Breach{R"("componentType": 5123)", R"("componentType": 5122)", "not unsigned integers"},
@@ -62,7 +66,12 @@ INSTANTIATE_TEST_SUITE_P(
             R"("bufferView": 3)",
             R"("bufferView": 3, "sparse": {"count": 9, "indices": {"bufferView": 3, "componentType": 5123},
                   "values": {"bufferView": 3}})",
-            "more sparse elements"}));
+            "more sparse elements"},
+        Breach{
+            R"("bufferView": 2)",
+            R"("bufferView": 2, "sparse": {"count": 3, "indices": {"bufferView": 3, "componentType": 5123},
+                  "values": {"bufferView": 3}})",
+            "sparse data reach beyond"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Meshes, GltfCheck,
@@ -71,6 +80,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Breach{R"("TEXCOORD_0")", R"("TEXCOORD_1")", "not numbered"},
                     Breach{R"("TEXCOORD_0")", R"("COLOUR")", "is not an attribute"},
                     Breach{R"("material": 0)", R"("material": 3)", "there is no materials[3]"},
+                    Breach{R"("name": "red",)",
+                           R"("extensions": {"KHR_materials_ior": {"ior": 0.5}},)", "is below 1"},
                     Breach{R"("indices": 3)", R"("indices": 3, "mode": 7)", "mode"},
                     Breach{R"("indices": 3)", R"("indices": -1)", "indices"},
                     Breach{R"("indices": 3)", R"("indices": "3")", "expected a number"},

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 
 #include "unit/scene/gltf_sample.h"
 
@@ -42,6 +44,41 @@ TEST(GltfLoader, TransformsMultiplyDownTheTree) {
   EXPECT_NEAR(corner.x, 1.0f, 1e-5f);  // +X turned by 90 degrees about +Y is -Z
   EXPECT_NEAR(corner.y, 2.0f, 1e-5f);
   EXPECT_NEAR(corner.z, 1.0f, 1e-5f);
+}
+
+// Positions and colors side by side in one view; colors as bytes, of which 255 is 1.
+TEST(GltfLoader, ReadsInterleavedAndNormalizedNumbers) {
+  struct Vertex {
+    float position[3];
+    std::uint8_t color[4];
+  };
+  const Vertex vertices[] = {
+      {{0, 0, 0}, {255, 0, 51, 255}}, {{1, 0, 0}, {0, 102, 0, 255}}, {{0, 1, 0}, {0, 0, 0, 0}}};
+  std::string bytes(sizeof vertices, '\0');
+  std::memcpy(bytes.data(), vertices, sizeof vertices);
+  std::string gltf = sample_gltf();
+  gltf = replaced(gltf, "\"}]}",
+                  "\"},\n{\"byteLength\": 48, \"uri\": "
+                  "\"data:application/octet-stream;base64," +
+                      base64(bytes) + "\"}]}");
+  gltf = replaced(gltf, R"("byteOffset": 96, "byteLength": 8})",
+                  R"("byteOffset": 96, "byteLength": 8},
+                     {"buffer": 1, "byteLength": 48, "byteStride": 16})");
+  gltf = replaced(gltf, R"("accessors": [
+{"bufferView": 0,)",
+                  R"("accessors": [
+{"bufferView": 4,)");
+  gltf = replaced(gltf, R"("type": "SCALAR"})", R"("type": "SCALAR"},
+{"bufferView": 4, "byteOffset": 12, "componentType": 5121, "normalized": true, "count": 3, "type": "VEC4"})");
+  gltf = replaced(gltf, R"("NORMAL": 1,)", R"("NORMAL": 1, "COLOR_0": 4,)");
+  const Mesh mesh = load_text(gltf).meshes.at(0);
+  ASSERT_EQ(mesh.positions.size(), 3u);
+  EXPECT_EQ(mesh.positions[1], glm::vec3(1, 0, 0));
+  EXPECT_EQ(mesh.positions[2], glm::vec3(0, 1, 0));
+  ASSERT_EQ(mesh.colors.size(), 3u);
+  EXPECT_EQ(mesh.colors[0], glm::vec4(1.0f, 0.0f, 0.2f, 1.0f));
+  EXPECT_EQ(mesh.colors[1], glm::vec4(0.0f, 0.4f, 0.0f, 1.0f));
+  EXPECT_EQ(mesh.colors[2], glm::vec4(0.0f));
 }
 
 TEST(GltfLoader, AMeshUsedTwiceIsStoredOnce) {

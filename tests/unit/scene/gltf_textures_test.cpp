@@ -83,6 +83,18 @@ TEST(GltfTextures, ASecondPlacementGetsTheSecondCoordinates) {
   EXPECT_EQ(scene.meshes[0].second_uvs[1], 2.0f * scene.meshes[0].uvs[1]);
 }
 
+// Scaled, turned by a quarter and moved, in that order: +u becomes -v, which points up, and +v,
+// which points down, becomes +u (KHR_texture_transform: counter-clockwise).
+TEST(GltfTextures, CoordinatesAreScaledTurnedAndMoved) {
+  const Scene scene = scene_of(R"({"pbrMetallicRoughness": {"baseColorTexture": {"index": 0,
+      "extensions": {"KHR_texture_transform":
+          {"scale": [2, 3], "rotation": 1.5707963267948966, "offset": [0.25, 0.5]}}}}})");
+  const std::vector<glm::vec2>& uvs = scene.meshes[0].uvs;
+  const glm::vec2 expected[] = {{0.25f, 0.5f}, {0.25f, -1.5f}, {3.25f, 0.5f}};
+  ASSERT_EQ(uvs.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_LT(glm::distance(uvs[i], expected[i]), 1e-6f) << i;
+}
+
 TEST(GltfTextures, AThirdPlacementIsNoted) {
   const Scene scene = scene_of(R"({"emissiveFactor": [1, 1, 1],
       "emissiveTexture": {"index": 0, "extensions": {"KHR_texture_transform": {"scale": [2, 2]}}},

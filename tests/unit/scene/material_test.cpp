@@ -29,6 +29,15 @@ TEST(Material, ExponentGrowsAsRoughnessFalls) {
   EXPECT_EQ(phong_terms(material, glm::vec3(0.5f)).exponent, 1024.0f);
 }
 
+// The lobe of the width of a microfacet distribution of alpha = roughness^2: 1/2 alpha^-2 - 1/2.
+TEST(Material, ExponentComesFromTheSquareOfTheRoughness) {
+  Material material;
+  for (const auto& [roughness, exponent] : {std::pair(1.0f, 0.0f), {0.5f, 7.5f}, {0.25f, 127.5f}}) {
+    material.roughness = roughness;
+    EXPECT_FLOAT_EQ(phong_terms(material, glm::vec3(0.5f)).exponent, exponent);
+  }
+}
+
 // At normal incidence the lobe integrates to specular (exponent + 2) / (exponent + 2) = specular,
 // so the sum must not exceed 1 (Lafortune and Willems 1994).
 TEST(Material, ReflectsNoMoreThanItReceives) {

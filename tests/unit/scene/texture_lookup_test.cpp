@@ -59,6 +59,24 @@ TEST(TextureLookup, OneTexelAPixelReadsTheFullSize) {
   EXPECT_EQ(sample_data_texture(texture, centre, 1.0f / 64.0f).x, 0.0f);
 }
 
+// Texels 0 1 2 go on as 0 1 2 0 1, as 2 1 0 0 1, or as 2 2, and likewise to the left.
+TEST(TextureLookup, WrapsRepeatMirrorOrEnd) {
+  Texture texture{.texels = common::ImageRgba8(3, 1), .mips = {}};
+  for (int x = 0; x < 3; ++x) texture.texels.at(x, 0).x = static_cast<std::uint8_t>(x);
+  const auto row = [&](Wrap wrap) {
+    texture.wrap_u = wrap;
+    std::vector<int> values;
+    for (int x = -4; x <= 7; ++x) {
+      const glm::vec2 at((static_cast<float>(x) + 0.5f) / 3.0f, 0.5f);
+      values.push_back(static_cast<int>(std::lround(255.0f * sample_data_texture(texture, at).x)));
+    }
+    return values;
+  };
+  EXPECT_EQ(row(Wrap::Repeat), (std::vector{2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1}));
+  EXPECT_EQ(row(Wrap::Mirror), (std::vector{2, 2, 1, 0, 0, 1, 2, 2, 1, 0, 0, 1}));
+  EXPECT_EQ(row(Wrap::Clamp), (std::vector{0, 0, 0, 0, 0, 1, 2, 2, 2, 2, 2, 2}));
+}
+
 TEST(TextureLookup, LevelsAreMixedByTheLogarithmOfTheFootprint) {
   Texture texture = mipped(checks(4, 4));
   texture.mips[0] = common::ImageRgba8(2, 2, {100, 0, 0, 255});

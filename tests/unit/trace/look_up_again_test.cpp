@@ -1,6 +1,8 @@
 // Kept paths with another camera image are what tracing again gives, to the bit.
 #include <gtest/gtest.h>
 
+#include "scene/light/tone_map.h"
+#include "trace/add_look_ups.h"
 #include "unit/trace/trace_shot.h"
 
 namespace amalgam::trace {
@@ -88,6 +90,24 @@ TEST_F(LookUpAgain, PathsThatTakeTooMuchMemoryAreNotKept) {
   const common::ImageRgb8 image = ramp(kSize, 90);
   const std::size_t bytes = trace_with(image, 1.0f, std::size_t{1} << 30).paths->bytes();
   EXPECT_EQ(trace_with(image, 1.0f, bytes / 2).paths, nullptr);
+}
+
+// L + (m - r) of one look-up, and never less than nothing, however much darker than its model a
+// surface is.
+TEST(AddLookUps, ChangesWhatTheCameraSeesByTheDifference) {
+  const common::ImageRgb8 image(1, 1, common::Rgb8(128));
+  const float seen = scene::inverse_tone_map(scene::srgb_decode(image.at(0, 0)), 1.0f).x;
+  const auto added = [&](float mixed, float real, float trust) {
+    TilePaths paths;
+    paths.samples.resize(1);
+    paths.look_ups.push_back({glm::vec3(0.5f), 0, {}, trust, glm::vec3(mixed), glm::vec3(real)});
+    add_look_ups(paths, image, 1.0f);
+    return glm::vec2(paths.samples[0].mixed.x, paths.samples[0].real.x);
+  };
+  EXPECT_EQ(added(2.0f, 2.0f, 1.0f), glm::vec2(0.5f * seen));
+  EXPECT_EQ(added(2.25f, 2.0f, 1.0f), glm::vec2(0.5f * (seen + 0.25f), 0.5f * seen));
+  EXPECT_EQ(added(2.0f, 20.0f, 1.0f), glm::vec2(0.0f, 0.5f * seen));
+  EXPECT_EQ(added(2.0f, 20.0f, 0.0f), glm::vec2(1.0f, 10.0f)) << "without trust as modelled";
 }
 
 }  // namespace
