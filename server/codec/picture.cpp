@@ -16,6 +16,8 @@
 #include <stb/stb_image.h>
 
 namespace amalgam::codec {
+
+static_assert(STBI_MAX_DIMENSIONS == kMaxPictureSide);
 namespace {
 
 struct PixelCloser {
@@ -46,7 +48,8 @@ glm::ivec2 checked_size(const Input& input) {
   if (width < 1 || height < 1 || width > kMaxPictureSide || height > kMaxPictureSide ||
       width > kMaxPicturePixels / height) {
     throw PictureError("picture size " + std::to_string(width) + "x" + std::to_string(height) +
-                       " is outside the limits (8192 a side, 32 Mpixel)");
+                       " is outside the limits (" + std::to_string(kMaxPictureSide) + " a side, " +
+                       std::to_string(kMaxPicturePixels >> 20) + " Mpixel)");
   }
   return {width, height};
 }

@@ -10,7 +10,16 @@
 
 #include "common/image.h"
 
+namespace amalgam::graph {
+class FrameGraph;
+}
+namespace amalgam::passes {
+struct RenderView;
+}
+
 namespace amalgam::frame {
+
+struct FramePasses;
 
 // Named channels, for what is neither grey nor a color.
 using Channels = std::vector<std::pair<std::string, common::Image32f>>;
@@ -22,6 +31,10 @@ using BufferImage =
 // with a) and difference (D). One sample a pixel, ideal camera geometry. What the frame did not
 // make is missing.
 using FrameBuffers = std::map<std::string, BufferImage>;
+
+// Of a finished frame: what was made anyway, nothing more is run for it.
+FrameBuffers collect_buffers(const graph::FrameGraph& graph, const FramePasses& frame,
+                             const passes::RenderView& view);
 
 // Writes NAME.exr for each; makes the folder. Throws std::runtime_error.
 void write_buffers(const FrameBuffers& buffers, const std::filesystem::path& folder);

@@ -19,7 +19,6 @@
 #include "core/provenance.h"
 #include "core/ray_counts.h"
 #include "core/timings.h"
-#include "frame/frame_quality.h"
 
 namespace amalgam::frame {
 
@@ -47,6 +46,38 @@ struct PixelCounts {
   std::uint64_t refined = 0;  // taken again with more samples (adaptive sampling)
   std::uint64_t total = 0;
 };
+
+// What a view with a target frame rate was rendered with (frame/governor.h).
+struct FrameQuality {
+  // What kept it from being better.
+  enum class Bound { Nothing, Trace, Raster, Encode, Lowest };
+
+  int level = 0;         // 0: as the operator set it
+  int lowest_level = 0;  // the level with the least quality
+  int samples_per_pixel = 1;
+  bool adaptive = false;  // more samples where neighbours differ
+  int max_depth = 0;
+  float importance_cutoff = 0.0f;
+  float render_scale = 1.0f;  // rendered pixels for each of the camera's, on each axis
+  int jpeg_quality = 0;       // 1..100
+  Bound bound = Bound::Nothing;
+};
+
+inline const char* to_string(FrameQuality::Bound bound) {
+  switch (bound) {
+    case FrameQuality::Bound::Nothing:
+      return "nothing: full quality";
+    case FrameQuality::Bound::Trace:
+      return "trace";
+    case FrameQuality::Bound::Raster:
+      return "raster";
+    case FrameQuality::Bound::Encode:
+      return "encode";
+    case FrameQuality::Bound::Lowest:
+      return "at its lowest";
+  }
+  return "";
+}
 
 struct FrameStatistics {
   core::StageTimes stages;

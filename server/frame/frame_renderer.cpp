@@ -6,13 +6,13 @@
 #include <stdexcept>
 #include <thread>
 
-#include "frame/collect_buffers.h"
-#include "frame/collect_still.h"
-#include "frame/frame_cost.h"
+#include "frame/buffer_dump.h"
+#include "frame/costs.h"
 #include "frame/frame_passes.h"
 #include "frame/frame_provenance.h"
 #include "frame/rendering_threads.h"
 #include "frame/scene_variant.h"
+#include "frame/still_frame.h"
 #include "gl/shader_interface.h"
 #include "passes/image/light_extraction.h"
 #include "scene/anchored_scene.h"

@@ -3,7 +3,7 @@
 //
 // Down at once when a frame was over its budget; up only when a better choice has been predicted to
 // take less than kCalm of the budget for several frames in a row. Costs are predicted from the
-// measured ones by ratios between levels, which every change corrects (relative_costs.h): what
+// measured ones by ratios between levels, which every change corrects (costs.h): what
 // turned out to be wrong once is not tried again.
 //
 // Knows nothing of rendering and of clocks: the same costs give the same choices.
@@ -13,9 +13,8 @@
 #include <optional>
 #include <vector>
 
-#include "frame/frame_cost.h"
+#include "frame/costs.h"
 #include "frame/quality_ladder.h"
-#include "frame/relative_costs.h"
 
 namespace amalgam::frame {
 

@@ -17,7 +17,13 @@
 #include "scene/anchored_scene.h"
 #include "trace/trace_request.h"
 
+namespace amalgam::graph {
+class FrameGraph;
+}
+
 namespace amalgam::frame {
+
+struct FramePasses;
 
 // All that the kept results depend on. Everything else is fixed for the life of a view.
 struct StillKey {
@@ -44,6 +50,11 @@ struct StillFrame {
   Kept<passes::ShadedTiles> shaded;  // only tiles in which something virtual shows
   Kept<passes::KeptPaths> paths;
 };
+
+// What a frame leaves for equal ones after it. Of a graph that has been evaluated. Nothing if it
+// would take more than StillView::kMostBytes.
+std::optional<StillFrame> collect_still(const graph::FrameGraph& graph, const FramePasses& frame,
+                                        const passes::RenderView& view);
 
 class StillView {
  public:
