@@ -1,4 +1,4 @@
-// Gathers a finished frame's buffers for a dump: what was made anyway, nothing more is run for it.
+// Gathers the buffers of a finished frame for a dump. Runs no further pass.
 #pragma once
 
 #include "frame/buffer_dump.h"

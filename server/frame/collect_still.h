@@ -1,4 +1,4 @@
-// What a frame leaves for equal ones after it.
+// Gathers the results of a frame that equal frames after it may reuse.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace amalgam::frame {
 
-// Of a graph that has been evaluated. Nothing if it would take more than StillView::kMostBytes.
+// graph: already evaluated. Nothing if the results take more than StillView::kMostBytes.
 std::optional<StillFrame> collect_still(const graph::FrameGraph& graph, const FramePasses& frame,
                                         const passes::RenderView& view);
 

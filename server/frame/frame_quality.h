@@ -1,11 +1,11 @@
-// What the governor chose for a frame, for its statistics.
+// The governor's choice for a frame, for its statistics.
 #pragma once
 
 namespace amalgam::frame {
 
-// What a view with a target frame rate was rendered with (frame/governor.h).
+// The quality of a frame of a view with a target frame rate (frame/governor.h).
 struct FrameQuality {
-  // What kept it from being better.
+  // What kept the quality from being better.
   enum class Bound { Nothing, Trace, Raster, Encode, Lowest };
 
   int level = 0;         // 0: as the operator set it

@@ -1,4 +1,4 @@
-// How costs change from level to level of quality: guessed at first, then learned.
+// Cost ratios between levels of quality: estimated at first, then learned.
 #pragma once
 
 #include <cstddef>
@@ -9,14 +9,14 @@ namespace amalgam::frame {
 
 class RelativeCosts {
  public:
-  // By level, the best first; of any unit, above 0 and never rising.
+  // By level, the best first; in any unit, above 0 and never rising.
   explicit RelativeCosts(std::vector<double> costs) : costs_(std::move(costs)) {}
 
   // Cost of one level as a multiple of another's.
   double ratio(std::size_t to, std::size_t from) const { return costs_[to] / costs_[from]; }
 
-  // A change of level changed the cost to so many times what it was. Levels between share the
-  // correction, those beyond take it over whole.
+  // ratio: the measured cost at `to` over that at `from`. Levels between the two take part of the
+  // correction, levels beyond `to` all of it.
   void learn(std::size_t from, std::size_t to, double ratio);
 
  private:
