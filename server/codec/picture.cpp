@@ -62,7 +62,7 @@ bool begins_with(std::span<const std::byte> bytes, std::span<const unsigned char
 constexpr std::array<unsigned char, 8> kPngSignature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
 constexpr std::array<unsigned char, 3> kJpegSignature{0xFF, 0xD8, 0xFF};
 
-// stb_image stops at the end of the pixels and does not miss the end of the file.
+// stb_image stops after the last pixel and does not notice a truncated file.
 bool has_png_end(std::span<const std::byte> bytes) {
   std::size_t at = kPngSignature.size();
   while (bytes.size() - at >= 12) {  // length, type, check sum

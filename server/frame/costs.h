@@ -1,4 +1,4 @@
-// What frames cost: one frame by kind of work, and how that changes from level to level of quality.
+// What frames cost: one frame by kind of work, and the ratios between levels of quality.
 #pragma once
 
 #include <cstddef>
@@ -9,13 +9,14 @@
 
 namespace amalgam::frame {
 
-// By the kinds of work that quality changes.
+// The time that a frame took, by the kinds of work that quality changes.
 struct FrameCost {
   double trace = 0.0;   // ms: trace and refine
   double raster = 0.0;  // ms: passes over the rendered pixels
   double encode = 0.0;  // ms
-  double other = 0.0;   // ms: whatever quality does not change
-  // Specular pixels as a share of all [0, 1], or 1 where all are traced: what tracing is paid for.
+  double other = 0.0;   // ms: work that quality does not change
+  // Specular pixels as a share of all, [0, 1], to which the cost of tracing is proportional; 1 if
+  // all pixels are traced.
   double specular = 0.0;
 
   double total() const { return trace + raster + encode + other; }
@@ -23,17 +24,17 @@ struct FrameCost {
 
 FrameCost frame_cost(const FrameStatistics& statistics);
 
-// How costs change from level to level of quality: guessed at first, then learned.
+// Cost ratios between levels of quality: estimated at first, then learned.
 class RelativeCosts {
  public:
-  // By level, the best first; of any unit, above 0 and never rising.
+  // By level, the best first; in any unit, above 0 and never rising.
   explicit RelativeCosts(std::vector<double> costs) : costs_(std::move(costs)) {}
 
   // Cost of one level as a multiple of another's.
   double ratio(std::size_t to, std::size_t from) const { return costs_[to] / costs_[from]; }
 
-  // A change of level changed the cost to so many times what it was. Levels between share the
-  // correction, those beyond take it over whole.
+  // ratio: the measured cost at `to` over that at `from`. Levels between the two take part of the
+  // correction, levels beyond `to` all of it.
   void learn(std::size_t from, std::size_t to, double ratio);
 
  private:
