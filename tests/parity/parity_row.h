@@ -30,8 +30,11 @@ struct ParityRow {
   std::size_t composite_wrong = 0;             // pixels off by more than 3
   std::size_t composite_wrong_rasterised = 0;  // of those: rasterised
 
-  // For a failing test: the worst pixels in words, and the picture.
+  // For a failing test: the worst pixels in words, the error of each traced pixel that counts, and
+  // the pictures.
   std::string worst;
+  common::Image<double> traced_errors;
+  common::ImageRgb32f mixed, real;
   common::ImageRgb8 composite;
 };
 
