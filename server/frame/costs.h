@@ -1,4 +1,4 @@
-// What frames cost: one frame by kind of work, and the ratios between levels of quality.
+// The cost of a frame by kind of work, and cost ratios between levels of quality.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// How a session ends, and what it says of itself.
+// The end of a session, and its report.
 #include <boost/asio/ip/tcp.hpp>
 #include <utility>
 
@@ -9,7 +9,7 @@ namespace amalgam::net {
 
 namespace asio = boost::asio;
 
-// Writes what is queued, then waits for the client to close, but not for ever.
+// Writes the queue, then waits a limited time for the client to close.
 void Session::close(std::chrono::milliseconds linger) {
   if (state_ == State::Closing || state_ == State::Ended) return;
   if (slot_.drop_composite()) ledger_.skip(Skip::Closed);

@@ -1,4 +1,4 @@
-// The pictures that a failing test leaves for a person to look at.
+// The pictures that a failing test writes for inspection.
 #pragma once
 
 #include <filesystem>
@@ -8,8 +8,8 @@
 
 namespace amalgam::test_support {
 
-// test_output/SUITE.TEST in the build folder, of the test that runs; '/' in its name becomes '_'.
-// The folder may not exist.
+// test_output/SUITE.TEST in the build folder, of the running test; '/' in its name becomes '_'. The
+// folder may not exist.
 std::filesystem::path test_output_folder();
 
 // Writes NAME-expected, NAME-actual and NAME-difference to test_output_folder(), each as .exr,
@@ -20,7 +20,7 @@ std::filesystem::path test_output_folder();
 std::string write_test_output(const std::string& name, const common::ImageRgb32f& actual,
                               const common::ImageRgb32f& expected, double white_difference = 0.0);
 
-// Removes those files, if an earlier run has left them.
+// Removes those files of an earlier run.
 void remove_test_output(const std::string& name);
 
 }  // namespace amalgam::test_support
