@@ -11,8 +11,8 @@ class App;
 
 namespace amalgam::tools {
 
-// Adds --renderer, --samples, --max-depth, --importance-cutoff, --fresnel, --env-lights, --exposure
-// and --threads. The settings must outlive parsing; wrong values end parsing with a message.
+// Adds the options of frame/settings_options.h, which also has the way back. The settings must
+// outlive parsing; wrong values end parsing with a message.
 void add_renderer_options(CLI::App& app, frame::RendererSettings& settings);
 
 // The complex scene: beside the build tree (deploy/scenes in the source) or installed

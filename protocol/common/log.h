@@ -14,7 +14,8 @@ void log_info(const std::string& message);
 void log_warn(const std::string& message);
 void log_error(const std::string& message);
 
-// For a broken promise of our own: prints what was expected and the values, then aborts.
+// For a broken promise of our own: prints what was expected, the values and what was going on
+// (common/check_context.h; of a frame, how to replay it), then aborts.
 [[noreturn]] void check_failed(const char* condition, const char* file, int line,
                                const std::string& values);
 

@@ -6,12 +6,14 @@
 #include <stdexcept>
 #include <thread>
 
+#include "common/check_context.h"
 #include "frame/collect_buffers.h"
 #include "frame/collect_still.h"
 #include "frame/frame_cost.h"
 #include "frame/frame_passes.h"
 #include "frame/frame_provenance.h"
 #include "frame/rendering_threads.h"
+#include "frame/replay_text.h"
 #include "frame/scene_variant.h"
 #include "gl/shader_interface.h"
 #include "passes/image/light_extraction.h"
@@ -102,6 +104,10 @@ class FrameRenderer::Impl {
   }
 
   FrameOutput render(ViewState& view, const FrameInput& input, FrameBuffers* buffers) {
+    const common::CheckContext context([&] {
+      return "rendering a frame; to make it again:\n" +
+             replay_text(replayed_frame(view, input, buffers != nullptr));
+    });
     AMALGAM_CHECK(std::this_thread::get_id() == owner_,
                   "rendering on a thread that is not the owner");
     FrameOutput output;
@@ -163,6 +169,23 @@ class FrameRenderer::Impl {
     return output;
   }
 
+  // As it is in the middle of the frame. The quality that a governor chose is in the settings.
+  ReplayedFrame replayed_frame(const ViewState& view, const FrameInput& input,
+                               bool keep_buffers) const {
+    ReplayedFrame frame{.scene_path = scene_.path,
+                        .camera = view.options.camera,
+                        .poses = input.poses,
+                        .settings = chosen_settings(view),
+                        .keep_provenance = view.options.keep_provenance,
+                        .keep_buffers = keep_buffers,
+                        .environment_replaced = environments_ > 0};
+    frame.settings.target_fps.reset();
+    frame.settings.coarse_allowed = false;
+    if (view.still.wants_frame()) frame.repeat = 2;
+    if (view.still.frame() != nullptr) frame.repeat = 3;
+    return frame;
+  }
+
   // The only pass that is asked for at once: what is drawn depends on how many lights there are.
   passes::EnvironmentLights environment_lights(graph::FrameGraph& graph) {
     const auto& environment = scene_.environment;
@@ -180,6 +203,11 @@ class FrameRenderer::Impl {
                             client_quality != 0 ? std::vector<JpegLevel>{{client_quality}}
                                                 : make_jpeg_ladder(settings_.jpeg_quality));
     }
+    return chosen_settings(view);
+  }
+
+  RendererSettings chosen_settings(const ViewState& view) const {
+    if (!view.governor) return settings_;
     return with_quality(settings_, view.governor->quality(), view.governor->jpeg_quality());
   }
 
