@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "frame/settings_options.h"
+#include "gl/shader_interface.h"
 
 namespace amalgam::tools {
 
@@ -58,8 +59,9 @@ void add_renderer_options(CLI::App& app, frame::RendererSettings& settings) {
          [&settings](const std::string& text) {
            settings.env_lights = scene::parse_env_light_options(text);
          },
-         "lights made of the environment map: sectors (8) or median-cut:N, N up to 4096 (512 if "
-         "rasterising)")
+         "lights made of the environment map: sectors (8) or median-cut:N, N up to " +
+             std::to_string(scene::kMaxEnvLights) + " (" + std::to_string(gl::kMaxLights) +
+             " if rasterising)")
       ->default_str("sectors");
   app.add_option_function<float>(
          names::kExposure, [&settings](const float& exposure) { settings.exposure = exposure; },

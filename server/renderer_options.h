@@ -1,4 +1,4 @@
-// The renderer's knobs as command line options, the same for every program that renders.
+// The renderer's settings as command line options, the same for every program that renders.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ class App;
 
 namespace amalgam::tools {
 
-// Adds the options of frame/settings_options.h, which also has the way back. The settings must
+// Adds the options of frame/settings_options.h, which has the reverse conversion. The settings must
 // outlive parsing; wrong values end parsing with a message.
 void add_renderer_options(CLI::App& app, frame::RendererSettings& settings);
 

@@ -15,7 +15,7 @@ struct Registry {
 };
 
 Registry& registry() {
-  static Registry& instance = *new Registry;  // never gone: checks may fail while all else ends
+  static Registry& instance = *new Registry;  // never destroyed: checks may fail at exit
   return instance;
 }
 
@@ -35,11 +35,11 @@ CheckContext::~CheckContext() {
 }
 
 std::string CheckContext::describe_all() {
-  if (is_describing) return {};  // a check has failed inside of describe: the lock is ours already
+  if (is_describing) return {};  // a check has failed in describe, under the lock
   is_describing = true;
   std::string text;
   {
-    // Holds up the ends of contexts, so that what they read stays there.
+    // No context can end under the lock, so what they read stays valid.
     const std::lock_guard lock(registry().mutex);
     const auto& contexts = registry().contexts;
     const auto is_ours = [](const CheckContext* context) {

@@ -1,6 +1,6 @@
-// What a thread is doing while it does it, for the report of a check that fails meanwhile.
+// Says what a thread is doing, for the report of a check that fails meanwhile.
 //
-// Costs an entry in a list: the text is made only when a check has failed.
+// The text is made only after a check has failed; until then, a context is an entry in a list.
 //
 //     const common::CheckContext context([&] { return "rendering frame " + std::to_string(id); });
 #pragma once
@@ -13,15 +13,16 @@ namespace amalgam::common {
 
 class CheckContext {
  public:
-  // describe may be called from any thread until the context ends, and what it reads must not
-  // change meanwhile. It may throw, and must not make contexts.
+  // describe may be called from any thread until the context ends. What it reads must not change
+  // while other threads may fail a check. It may throw. It must not make contexts.
   explicit CheckContext(std::function<std::string()> describe);
   ~CheckContext();
   CheckContext(const CheckContext&) = delete;
   CheckContext& operator=(const CheckContext&) = delete;
 
-  // The texts of this thread's contexts, a line each, the innermost last. Of all threads' where
-  // this one has none: a worker is helping one of them. Empty inside of describe.
+  // The texts of this thread's contexts, the innermost last, each followed by a newline. A thread
+  // without contexts gets those of all threads, because workers work for one of them. Empty if
+  // called by describe.
   static std::string describe_all();
 
  private:

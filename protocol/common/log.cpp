@@ -45,7 +45,7 @@ void log_error(const std::string& message) {
 }
 
 void check_failed(const char* condition, const char* file, int line, const std::string& values) {
-  // First, so that it is there whatever becomes of the second.
+  // Printed first, in case making the context fails too.
   logger().critical("CHECK failed: {} at {}:{}: {}", condition, file, line, values);
   logger().flush();
   const std::string context = CheckContext::describe_all();

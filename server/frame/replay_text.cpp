@@ -11,7 +11,7 @@
 namespace amalgam::frame {
 namespace {
 
-// As it is, if a shell takes it for one word, otherwise in single quotes.
+// A word for a shell: in single quotes if it has special characters.
 std::string quoted(const std::string& word) {
   constexpr std::string_view kPlain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./:,=+@%";
@@ -43,7 +43,7 @@ std::string json_array(std::initializer_list<double> numbers) {
   return json_array(std::span(numbers.begin(), numbers.size()));
 }
 
-// As load_poses() of amalgam-render reads them.
+// In the format of load_poses() of amalgam-render.
 std::string poses_json(std::span<const common::MarkerPose> poses) {
   std::ostringstream text;
   text << R"({"poses":[)";
@@ -63,7 +63,7 @@ void put_opencv_matrix(std::ostream& text, int rows, int columns, const std::str
        << R"(,"dt":"d","data":)" << data << "}";
 }
 
-// As OpenCV's FileStorage reads it.
+// In the format of OpenCV's FileStorage.
 std::string calibration_json(const common::CameraModel& camera) {
   const auto& c = camera;
   std::ostringstream text;
@@ -82,7 +82,7 @@ void put_file(std::ostream& text, const std::string& json, const char* name) {
 
 std::string scene_word(const std::string& path) {
   if (path.empty()) return "<scene>";
-  std::error_code ignored;  // then the path stays as it was given
+  std::error_code ignored;  // the path stays relative
   const auto absolute = std::filesystem::absolute(path, ignored);
   return ignored ? path : absolute.lexically_normal().string();
 }

@@ -1,4 +1,4 @@
-// How a person can make a frame again: for the report of a check that failed while it was rendered.
+// A shell command that renders a frame again, for the report of a check that failed in it.
 #pragma once
 
 #include <span>
@@ -15,15 +15,15 @@ struct ReplayedFrame {
   common::CameraModel camera{};
   std::span<const common::MarkerPose> poses{};
   RendererSettings settings{};
-  int repeat = 1;  // how many such frames in a row it takes; above 1, of a camera on a tripod
+  int repeat = 1;  // equal frames to render in a row; above 1, nothing moves between them
   bool keep_provenance = false;
   bool keep_buffers = false;
   bool environment_replaced = false;  // by a client's
 };
 
-// Lines for a shell: they write poses.json and, unless the camera is common::default_camera(),
-// calibration.json into the current folder, and run amalgam-render. What that cannot be told stands
-// below in comments: the camera's picture is grey, for one.
+// The command writes poses.json to the current folder, and calibration.json unless the camera is
+// common::default_camera(). Then it runs amalgam-render. Comments below it say what the replay
+// lacks: always the camera's picture, which is grey instead.
 std::string replay_text(const ReplayedFrame& frame);
 
 }  // namespace amalgam::frame

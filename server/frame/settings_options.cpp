@@ -30,7 +30,7 @@ std::string exact_text(double number) {
 std::vector<std::string> settings_options(const RendererSettings& settings) {
   namespace names = option_names;
   const RendererSettings defaults;
-  // All members, so that a new one does not compile until it has a line here.
+  // Names all members: a new one does not compile before it is handled here.
   const auto& [mode, samples_per_pixel, adaptive_threshold, trace_shadow_edges, leave_out_tiles,
                reuse_still_frames, trace, env_lights, exposure, ray_log, threads, jpeg_quality,
                render_scale, target_fps, coarse_allowed] = settings;
@@ -54,8 +54,8 @@ std::vector<std::string> settings_options(const RendererSettings& settings) {
   add(target_fps.has_value(), names::kTargetFps, exact_text(target_fps.value_or(0.0)));
   if (coarse_allowed) words.emplace_back(names::kCoarse);
   add(threads != defaults.threads, names::kThreads, std::to_string(threads));
-  // No options of all programs: settings_without_options(). Frames are reused by --still of
-  // amalgam-render, which ReplayedFrame::repeat asks for.
+  // These have no options that all programs share: see settings_without_options(). The option
+  // --still of amalgam-render reuses frames; ReplayedFrame::repeat asks for it.
   static_cast<void>(leave_out_tiles);
   static_cast<void>(reuse_still_frames);
   static_cast<void>(ray_log);

@@ -1,5 +1,5 @@
-// The renderer's settings as options of a command line: what the options are called, and the words
-// that give the same settings again. They are parsed by server/renderer_options.h.
+// The renderer's settings as command-line options: their names, and the conversion from settings to
+// options. server/renderer_options.h converts options to settings.
 #pragma once
 
 #include <string>
@@ -25,15 +25,15 @@ inline constexpr const char* kCoarse = "--coarse";
 inline constexpr const char* kThreads = "--threads";
 }  // namespace option_names
 
-// Options and their values for what differs from the defaults, a word each. Numbers are written so
-// that reading them gives the same bits.
+// Options and values of the settings that differ from the defaults, one word each. Parsing them
+// gives the same settings to the bit.
 std::vector<std::string> settings_options(const RendererSettings& settings);
 
-// What differs from the defaults and has no such option: "leave_out_tiles is false, ...". Empty if
-// nothing does.
+// The settings that differ from the defaults and have no such option: "leave_out_tiles is false,
+// ...". Empty if there are none.
 std::string settings_without_options(const RendererSettings& settings);
 
-// The shortest text that is read as the same number.
+// The shortest text that parses to the same number.
 std::string exact_text(float number);
 std::string exact_text(double number);
 
