@@ -11,8 +11,7 @@ class App;
 
 namespace amalgam::tools {
 
-// Adds --renderer, --samples, --shadow-edges, --max-depth, --importance-cutoff, --fresnel,
-// --env-lights, --exposure, --render-scale, --target-fps, --coarse and --threads. The settings must
+// Adds the options of frame/settings_options.h, which has the reverse conversion. The settings must
 // outlive parsing; wrong values end parsing with a message.
 void add_renderer_options(CLI::App& app, frame::RendererSettings& settings);
 

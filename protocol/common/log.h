@@ -14,7 +14,8 @@ void log_info(const std::string& message);
 void log_warn(const std::string& message);
 void log_error(const std::string& message);
 
-// For a broken invariant: prints the condition and the values, then aborts.
+// For a broken invariant: prints the condition, the values and the contexts of the thread
+// (common/check_context.h), then aborts. While a frame is rendered, that says how to replay it.
 [[noreturn]] void check_failed(const char* condition, const char* file, int line,
                                const std::string& values);
 

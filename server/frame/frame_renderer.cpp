@@ -6,11 +6,13 @@
 #include <stdexcept>
 #include <thread>
 
+#include "common/check_context.h"
 #include "frame/buffer_dump.h"
 #include "frame/costs.h"
 #include "frame/frame_passes.h"
 #include "frame/frame_provenance.h"
 #include "frame/rendering_threads.h"
+#include "frame/replay_text.h"
 #include "frame/scene_variant.h"
 #include "frame/still_frame.h"
 #include "gl/shader_interface.h"
@@ -103,6 +105,10 @@ class FrameRenderer::Impl {
   }
 
   FrameOutput render(ViewState& view, const FrameInput& input, FrameBuffers* buffers) {
+    const common::CheckContext context([&] {
+      return "rendering a frame; to replay it:\n" +
+             replay_text(replayed_frame(view, input, buffers != nullptr));
+    });
     AMALGAM_CHECK(std::this_thread::get_id() == owner_,
                   "rendering on a thread that is not the owner");
     FrameOutput output;
@@ -164,6 +170,23 @@ class FrameRenderer::Impl {
     return output;
   }
 
+  // The settings have the quality that the governor chose, without the target that it chose by.
+  ReplayedFrame replayed_frame(const ViewState& view, const FrameInput& input,
+                               bool keep_buffers) const {
+    ReplayedFrame frame{.scene_path = scene_.path,
+                        .camera = view.options.camera,
+                        .poses = input.poses,
+                        .settings = chosen_settings(view),
+                        .keep_provenance = view.options.keep_provenance,
+                        .keep_buffers = keep_buffers,
+                        .environment_replaced = environments_ > 0};
+    frame.settings.target_fps.reset();
+    frame.settings.coarse_allowed = false;
+    if (view.still.wants_frame()) frame.repeat = 2;
+    if (view.still.frame() != nullptr) frame.repeat = 3;
+    return frame;
+  }
+
   // The only pass that runs at once: the drawing depends on the number of lights.
   passes::EnvironmentLights environment_lights(graph::FrameGraph& graph) {
     const auto& environment = scene_.environment;
@@ -181,6 +204,11 @@ class FrameRenderer::Impl {
                             client_quality != 0 ? std::vector<JpegLevel>{{client_quality}}
                                                 : make_jpeg_ladder(settings_.jpeg_quality));
     }
+    return chosen_settings(view);
+  }
+
+  RendererSettings chosen_settings(const ViewState& view) const {
+    if (!view.governor) return settings_;
     return with_quality(settings_, view.governor->quality(), view.governor->jpeg_quality());
   }
 

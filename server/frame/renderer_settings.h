@@ -18,6 +18,7 @@ enum class RendererMode {
 
 // Throws std::invalid_argument naming the choices.
 RendererMode parse_renderer_mode(std::string_view text);
+const char* renderer_mode_name(RendererMode mode);
 
 inline constexpr float kDefaultAdaptiveThreshold = 0.03f;
 

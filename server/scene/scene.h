@@ -87,6 +87,7 @@ struct World {
 };
 
 struct Scene {
+  std::string path;  // of the file that it was read from; empty if it was made otherwise
   World world;
   std::vector<Mesh> meshes;
   std::vector<Material> materials;
