@@ -1,4 +1,4 @@
-// Boards as users write them: a layout file, or the size of one of OpenCV's regular boards.
+// Reads board descriptions: a layout file, or the size of one of OpenCV's regular boards.
 #pragma once
 
 #include <filesystem>
@@ -16,8 +16,8 @@ namespace amalgam::client {
 //     - { id: 23, position: [0.2, 0, 0.1], rotation: [0, 0.7071068, 0, 0.7071068], length: 0.04 }
 //     - { id: 7, corners: [[0, 0.05, 0], [0.05, 0.05, 0], [0.05, 0, 0], [0, 0, 0]] }
 //
-// rotation: layout_from_marker as a unit quaternion x y z w, without it none. corners: top left,
-// top right, bottom right, bottom left. Throws std::runtime_error with one line.
+// rotation: layout_from_marker as a unit quaternion x y z w; identity if left out. corners: top
+// left, top right, bottom right, bottom left. Throws std::runtime_error with one line.
 MarkerBoard load_board(const std::filesystem::path& file);
 
 // "COLUMNSxROWS:MARKER:GAP[:FIRST_ID]", lengths in metres, as "5x7:0.04:0.01:0". Throws

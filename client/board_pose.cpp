@@ -37,7 +37,8 @@ double error_of(const Markers& markers, const common::MarkerPose& pose,
   return std::sqrt(sum / static_cast<double>(markers.size()));
 }
 
-// In a plane to within a hundredth of their extent: IPPE's error is then below what refining mends.
+// Whether they lie in a plane to within a hundredth of their extent. Refining then corrects IPPE's
+// error.
 bool is_flat(const std::vector<cv::Point3d>& points) {
   const cv::Mat all(static_cast<int>(points.size()), 3, CV_64F,
                     const_cast<cv::Point3d*>(points.data()));
@@ -98,7 +99,7 @@ struct Removal {
   int id = 0;
 };
 
-// Those markers that the pose fits worst, or all if there is no pose; none if it fits them all.
+// The markers that the pose fits worst; all if there is no pose; none if it fits them all.
 std::vector<std::size_t> suspects(const Markers& markers, const std::vector<PoseSolution>& poses,
                                   double limit, const common::CameraModel& camera) {
   std::vector<std::pair<double, std::size_t>> by_error;

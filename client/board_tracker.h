@@ -18,11 +18,11 @@ class BoardTracker {
 
   struct Tracked {
     std::optional<common::MarkerPose> pose;  // camera_from_board
-    std::size_t repeated = 0;                // further markers with an id of the board: ignored
+    std::size_t repeated = 0;                // further markers with the same id: ignored
     std::size_t outliers = 0;                // markers that contradicted the others
   };
-  // frame counts images, as for PoseDisambiguation. Of markers with the same id the one that fits
-  // the last pose best is taken, or the largest if there is none.
+  // frame counts images, as for PoseDisambiguation. Of markers with the same id, takes the one that
+  // fits the last pose best, or the largest if there is no last pose.
   Tracked track(std::span<const DetectedMarker> detected, std::uint64_t frame);
 
   const MarkerBoard& board() const { return board_; }

@@ -1,4 +1,4 @@
-// Where camera images come from: a device, a film, files or the synthetic camera.
+// A source of camera images: a device, a film, files or the synthetic camera.
 #pragma once
 
 #include <chrono>
@@ -15,10 +15,10 @@ namespace amalgam::client {
 using Bytes = std::vector<unsigned char>;
 
 struct CapturedFrame {
-  Bytes jpeg;   // what is sent: baseline, of the source's size
+  Bytes jpeg;   // to be sent: baseline, of the source's size
   cv::Mat bgr;  // the same image as pixels, for finding markers
   std::chrono::steady_clock::time_point captured_at;
-  std::optional<std::vector<common::MarkerPose>> true_poses;  // known by a synthetic camera only
+  std::optional<std::vector<common::MarkerPose>> true_poses;  // from a synthetic camera only
 };
 
 class CameraSource {
@@ -29,10 +29,10 @@ class CameraSource {
   virtual cv::Size size() const = 0;
 
   // The next frame, or nothing at the end. Waits for a device; files come as fast as they are read.
-  // Throws std::runtime_error if a frame cannot be had or has another size.
+  // Throws std::runtime_error if a frame cannot be read or has another size.
   virtual std::optional<CapturedFrame> next() = 0;
 
-  // True if frames come in their own time, false if the reader sets the pace.
+  // True if the source sets the pace of frames, false if the reader does.
   virtual bool is_live() const { return false; }
 
   // The lens, if the source knows it better than any calibration file.

@@ -10,8 +10,8 @@ namespace amalgam::client {
 
 class CaptureSource : public CameraSource {
  public:
-  // A device by its number. An empty size takes the device's own; otherwise the device is asked for
-  // that size and frames are scaled if it gives another.
+  // A device by its number. An empty size takes the device's own. Otherwise requests that size from
+  // the device, and scales frames of another size.
   static CaptureSource device(int number, cv::Size size, int jpeg_quality);
   // A film; an empty size takes the film's own.
   static CaptureSource film(const std::string& file, cv::Size size, int jpeg_quality);

@@ -1,8 +1,8 @@
-// The client's line to a server: stays up across broken links, sends the newest frame, hands over
-// what comes back.
+// The client's connection to a server. Reconnects broken links, sends the newest frame and returns
+// the answers.
 //
-// All functions are for one thread, the viewer's; the network runs on a thread of its own. Nothing
-// here blocks but wait() and the destructor.
+// All functions are for one thread, the viewer's; the network has a thread of its own. Only wait()
+// and the destructor block.
 #pragma once
 
 #include <chrono>
@@ -19,14 +19,14 @@ namespace amalgam::client {
 
 struct ConnectionOptions {
   common::HostPort server{"127.0.0.1", 7447};
-  // For the first welcome, and again for each reconnecting: after that the connection gives up.
+  // Time for the first welcome, and for each reconnection. After it the connection gives up.
   std::chrono::milliseconds connect_timeout{5000};
-  // An encoded Envelope to be sent after each welcome, before any frame; empty for none. A server
-  // that was restarted needs it again.
+  // An encoded Envelope to be sent after each welcome, before any frame; empty for none. After
+  // each, because a restarted server needs it again.
   std::string after_welcome{};
 };
 
-// What happened, in the order in which it did.
+// Events, in the order in which they happened.
 struct Welcomed {
   protocol::Welcome welcome;
 };
@@ -39,7 +39,7 @@ struct FrameError {  // the session goes on
 };
 struct LinkBroken {  // being reconnected
   std::string text;
-  std::uint64_t last_sent = 0;  // frames up to this id will not be answered any more
+  std::uint64_t last_sent = 0;  // frames up to this id will not be answered
 };
 struct GaveUp {  // nothing more will come
   std::string text;
@@ -50,16 +50,16 @@ class Connection {
  public:
   // Starts connecting at once.
   Connection(const ConnectionOptions& options, const protocol::Hello& hello);
-  // Says goodbye, and waits up to a second for it to be heard.
+  // Says goodbye, and waits up to a second for it to be received.
   ~Connection();
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
 
-  // Queues a frame; ids ascend. Returns the id of the frame whose place it took, which will never
-  // be sent. bytes: an encoded Envelope.
+  // Queues a frame; ids ascend. Returns the id of the frame that it replaced, if any, which will
+  // never be sent. bytes: an encoded Envelope.
   std::optional<std::uint64_t> send(std::uint64_t frame_id, std::string bytes);
 
-  // The next event, waiting for one up to this long.
+  // The next event; waits for one up to the time-out.
   std::optional<ConnectionEvent> wait(std::chrono::milliseconds timeout);
 
  private:

@@ -13,7 +13,7 @@ namespace {
 
 using Color = glm::vec3;
 using Point = glm::dvec2;
-// Nothing where the thing does not lie.
+// Nothing outside the thing.
 using Layer = std::optional<Color>;
 
 constexpr double kDegree = 0.017453292519943295;
@@ -51,9 +51,9 @@ bool odd(double value) {
   return (static_cast<std::int64_t>(std::floor(value)) & 1) != 0;
 }
 
-// Bleached wood, about as bright and neutral as the scenes' model of the table: differential
-// rendering darkens by what the model says, and a dark or strongly colored desk would show that as
-// colored shadows.
+// Bleached wood, about as bright and neutral as the scenes' model of the table. Differential
+// rendering darkens by the model's color, so a dark or strongly colored desk would get colored
+// shadows.
 Color wood(const Point& p) {
   constexpr double kPlank = 0.115;  // metres wide, running along x
   const double row = std::floor(p.y / kPlank);

@@ -1,4 +1,4 @@
-// The picture on the synthetic desk as a formula: color of a point, without the marker.
+// The picture on the synthetic desk, without the marker: the color of a point by formula.
 #pragma once
 
 #include <glm/vec2.hpp>

@@ -1,4 +1,4 @@
-// A square of the desk as pixels, in several sizes, so that a sample costs the same near and far.
+// A square of the desk as pixels, with mip levels, so that a sample costs the same near and far.
 #pragma once
 
 #include <functional>
@@ -23,8 +23,8 @@ class DeskTexture {
            point.y < low_.y + side_;
   }
 
-  // Bilinear, from the level whose texels are nearest below the footprint (metres on the desk that
-  // the sample stands for). The point must be covered.
+  // Bilinear, from the coarsest level whose texels are not larger than the footprint (the sample's
+  // width on the desk, metres). The point must be covered.
   PackedColor sample(const glm::dvec2& point, double footprint) const;
 
  private:

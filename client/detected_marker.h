@@ -1,4 +1,4 @@
-// A marker as it is found in an image, before anything is known of where it is.
+// A marker found in an image, without a pose.
 #pragma once
 
 #include "client/square_pose.h"
@@ -10,7 +10,7 @@ struct DetectedMarker {
   SquareCorners corners{};
 };
 
-// Of the quadrilateral in the image, square pixels.
+// Area of the quadrilateral in the image, square pixels.
 double area(const SquareCorners& corners);
 
 }  // namespace amalgam::client

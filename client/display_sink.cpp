@@ -17,8 +17,8 @@ namespace {
 constexpr const char* kWindow = "Amalgam";
 constexpr int kEscape = 27;
 
-// Some window libraries end the program when they cannot reach the display: a child process tries
-// first. Called before there are threads.
+// Some window libraries end the program if they cannot reach the display, so a child process tries
+// first. Must be called before threads are started.
 bool window_opens_elsewhere() {
   const pid_t child = ::fork();
   if (child < 0) return true;  // then it is found out the hard way

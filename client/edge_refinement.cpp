@@ -18,7 +18,7 @@ struct Line {
   glm::dvec2 point, direction;
 };
 
-// One measured point: how far along the side, and how far outside of it, the edge is; pixels.
+// One measured point of the edge: its distance along the side, and outward from it; pixels.
 struct EdgePoint {
   double along = 0.0, outward = 0.0;
 };
@@ -32,7 +32,8 @@ std::optional<double> grey_at(const cv::Mat& grey, const glm::dvec2& p) {
   return std::lerp(std::lerp(upper[0], upper[1], fx), std::lerp(lower[0], lower[1], fx), fy);
 }
 
-// Where brightness rises along the direction: the centre of mass of its increase, from the start.
+// The distance from the start at which brightness rises along the direction: the centre of mass of
+// its increase.
 std::optional<double> rise(const cv::Mat& grey, const glm::dvec2& start,
                            const glm::dvec2& direction, double reach) {
   double sum = 0.0, moment = 0.0;

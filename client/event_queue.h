@@ -1,5 +1,5 @@
-// Events from the network thread to the viewer's, in order. Bounded by what the peer may answer: a
-// frame has at most one composite, and frames are few.
+// A queue of events from the network thread to the viewer's. Bounded by the peer's answers: a frame
+// has at most one composite, and frames are few.
 #pragma once
 
 #include <chrono>

@@ -18,7 +18,7 @@ constexpr const char* kKind = "fish-eye calibration";
   fail_file(kKind, file, what);
 }
 
-// A number, or the default if there is none and one is given.
+// A number; if it is missing, the default, if given.
 double read_number(const cv::FileNode& node, const path& file, const char* key, double missing) {
   if (node.empty()) return missing;
   if (!node.isInt() && !node.isReal()) fail(file, std::string(key) + " is not a number");

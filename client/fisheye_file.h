@@ -9,12 +9,12 @@
 namespace amalgam::client {
 
 struct FisheyeCalibration {
-  common::FisheyeModel lens;  // for images of the size asked for
+  common::FisheyeModel lens;  // for images of the requested size
   glm::dquat world_from_fisheye{1.0, 0.0, 0.0, 0.0};
 };
 
-// For an image of this size, pixels; a calibration of another size is scaled if the sides keep
-// their ratio to within one pixel. Throws std::runtime_error with one line.
+// For an image of this size, pixels. A calibration of another size is scaled if the aspect ratio is
+// the same to within one pixel. Throws std::runtime_error with one line.
 FisheyeCalibration load_fisheye(const std::filesystem::path& file, int width, int height);
 
 }  // namespace amalgam::client

@@ -1,7 +1,7 @@
-// Keeps account of every frame: each one captured ends as composited, skipped, rejected or lost.
+// Accounts for every captured frame: each ends as composited, skipped, rejected or lost.
 //
-// Frames and composites are newest-wins on both sides and keep their order, so the answer to a
-// frame says that all earlier ones still open will never be answered.
+// Frames and composites are newest-wins on both sides and keep their order. So after the answer to
+// a frame, earlier open ones will never be answered.
 #pragma once
 
 #include <chrono>
@@ -18,11 +18,11 @@ struct LatencySummary {  // milliseconds from capture to composite; 0 without an
 struct FrameCounts {
   std::uint64_t captured = 0;
   std::uint64_t composited = 0;
-  std::uint64_t unchanged = 0;          // of those composited: came back byte for byte
-  std::uint64_t skipped_by_client = 0;  // a newer frame took its place before it was sent
-  std::uint64_t skipped_by_server = 0;  // a later one was answered, this one never
+  std::uint64_t unchanged = 0;          // of the composited: came back byte for byte
+  std::uint64_t skipped_by_client = 0;  // replaced by a newer frame before it was sent
+  std::uint64_t skipped_by_server = 0;  // never answered, although a later one was
   std::uint64_t rejected = 0;           // answered with an Error
-  std::uint64_t lost = 0;  // sent or waiting when the connection ended for good or broke
+  std::uint64_t lost = 0;               // sent or waiting when the connection broke or ended
 };
 
 class FramesInFlight {
@@ -33,7 +33,7 @@ class FramesInFlight {
   void skipped(std::uint64_t id);  // by this client
   void composited(std::uint64_t id, bool unchanged, Clock::time_point at);
   void rejected(std::uint64_t id);
-  // Those up to this id that are open: the connection broke after they were handed to it.
+  // Open frames up to this id are lost: the connection broke after they were handed to it.
   void lost_up_to(std::uint64_t id);
 
   bool has_open() const { return !open_.empty(); }

@@ -1,7 +1,7 @@
 // Frames from image files, in the order of their names.
 //
-// A JPEG that a server takes is passed on byte for byte, so that a frame which nothing virtual
-// affects comes back as the very file; anything else is encoded anew.
+// A JPEG that a server accepts is passed on byte for byte, so that a frame without a virtual effect
+// comes back as the file itself. Other images are encoded.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +13,7 @@ namespace amalgam::client {
 
 struct ImagesOptions {
   std::vector<std::string> patterns;  // file names or glob patterns
-  cv::Size size;                      // empty: the first image's; otherwise images are scaled to it
+  cv::Size size;                      // images are scaled to it; empty: the first image's
   int jpeg_quality = 92;              // of images that have to be encoded
   bool repeat = false;                // begin again after the last
 };

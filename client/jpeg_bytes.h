@@ -1,4 +1,4 @@
-// JPEG as the client needs it: what may be sent as it is, and making and reading what may not.
+// JPEG for the client: tests what can be sent unchanged, encodes and decodes.
 #pragma once
 
 #include <opencv2/core/mat.hpp>
@@ -8,15 +8,15 @@
 
 namespace amalgam::client {
 
-// True for what a server takes: baseline, 8 bits, grey or three components subsampled as 4:4:4,
+// Whether a server accepts it: baseline, 8 bits, grey or three components subsampled as 4:4:4,
 // 4:2:2 or 4:2:0, and small enough for one message. Reads headers only.
 bool is_sendable_jpeg(std::span<const unsigned char> bytes);
 
 // quality 1..100. Throws std::runtime_error if the image cannot be encoded.
 Bytes encode_jpeg(const cv::Mat& bgr, int quality);
 
-// As BGR, ignoring any orientation tag: markers must be found where the server will draw. An empty
-// image if the bytes are no image.
+// As BGR. Ignores orientation tags, because the server does too and markers must match its pixels.
+// An empty image if the bytes are no image.
 cv::Mat decode_image(std::span<const unsigned char> bytes);
 
 }  // namespace amalgam::client

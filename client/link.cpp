@@ -17,7 +17,7 @@ namespace asio = boost::asio;
 using protocol::Envelope;
 using protocol::Error;
 
-// Errors that another try with the same words would only bring again.
+// Errors that another attempt with the same hello would get again.
 bool is_final(Error::Code code) {
   switch (code) {
     case Error::AUTH_TIMEOUT:

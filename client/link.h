@@ -1,7 +1,7 @@
-// One TCP connection to a server, from connecting to its end; what comes after is Connection's.
+// One TCP connection to a server, from connecting to its end. Connection handles reconnecting.
 //
-// Lives on the thread that runs its io_context and is used from there only. Answers pings itself.
-// Network loss is a normal path: it ends in Events::ended like any other end, exactly once.
+// Used only on the thread that runs its io_context. Answers pings itself. Network loss is a normal
+// end: every end calls Events::ended exactly once.
 #pragma once
 
 #include <boost/asio/ip/tcp.hpp>
@@ -23,7 +23,7 @@ struct LinkEnd {
   enum class Kind {
     Lost,     // unreachable, broken, silent, or closed by the server: worth another try
     Busy,     // worth another try after retry_after
-    Refused,  // the server said why, and would say it again
+    Refused,  // by the server with an Error that another try would get again
     Closed,   // by us
   };
   Kind kind = Kind::Lost;
@@ -36,8 +36,8 @@ class Link : public std::enable_shared_from_this<Link> {
   struct Events {
     std::function<void(protocol::Welcome)> welcomed;
     std::function<void(protocol::Composite)> composite;
-    std::function<void(protocol::Error)> error;  // those that the session survives
-    std::function<void()> idle;                  // nothing is being written: ready for a frame
+    std::function<void(protocol::Error)> error;  // errors that the session survives
+    std::function<void()> idle;                  // no write in flight: ready for a frame
     std::function<void(LinkEnd)> ended;
   };
 
@@ -50,7 +50,7 @@ class Link : public std::enable_shared_from_this<Link> {
   // True if a frame may be written now: welcomed, not draining, no write in flight.
   bool is_idle() const { return state_ == State::Running && writing_.empty(); }
   void write_frame(std::string bytes);
-  // An encoded Envelope that goes before any frame.
+  // An encoded Envelope to be sent before any frame.
   void write_first(std::string bytes);
 
   // Says goodbye and waits a little for the server to close.
@@ -80,7 +80,7 @@ class Link : public std::enable_shared_from_this<Link> {
   std::string hello_;
   std::vector<std::byte> read_buffer_;
   protocol::Decoder decoder_;
-  std::deque<std::string> control_;  // goes before frames
+  std::deque<std::string> control_;  // sent before frames
   std::string writing_;              // the one write in flight
 };
 

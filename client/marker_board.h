@@ -1,7 +1,7 @@
-// A board: several markers fixed to one another, whose seen corners all together give one pose.
+// A board: several markers fixed to each other. All their seen corners together give one pose.
 //
-// The board's frame is as a marker's: x to its right, y to its top, z out of the paper; metres.
-// What is drawn stands on the world marker, so a board is placed on that first: see placed_on().
+// The board's frame is like a marker's: x to its right, y to its top, z out of the paper; metres.
+// Objects stand on the world marker, so a board is first placed relative to it: see placed_on().
 #pragma once
 
 #include <array>
@@ -28,8 +28,8 @@ struct MarkerBoard {
 BoardMarker square_marker(int id, double length, const glm::dmat4& board_from_marker);
 
 // The layouts of OpenCV's generators: ids ascend along rows, the top row first; the origin is the
-// board's centre. Lengths in metres. A ChArUco board's markers lie in its white squares, the top
-// left square being black; of its chessboard corners no use is made.
+// board's centre. Lengths in metres. A ChArUco board's markers lie in its white squares, with the
+// top left square black. Its chessboard corners are not used.
 MarkerBoard make_grid_board(int columns, int rows, double marker_length, double gap, int first_id);
 MarkerBoard make_charuco_board(int columns, int rows, double square_length, double marker_length,
                                int first_id);
@@ -37,12 +37,12 @@ MarkerBoard make_charuco_board(int columns, int rows, double square_length, doub
 // board_from_marker: the frame that a marker's four corners span.
 glm::dmat4 frame_of(const BoardMarker& marker);
 
-// The board in the world marker's frame: if that marker is part of it, it comes to lie at the
-// origin; otherwise the board's own frame is taken for the world marker's.
+// The board in the world marker's frame. If the world marker is part of the board, it moves to the
+// origin; otherwise the board's frame stands for the world marker's.
 MarkerBoard placed_on(const MarkerBoard& board, int world_marker);
 
-// Empty, or what is wrong: no markers or more than 1024, an id that is negative or there twice,
-// corners that are not finite, further than 100 m away, or no square to within 20 %.
+// Empty, or the board's defect: no markers or more than 1024, a negative or repeated id, corners
+// that are not finite, further than 100 m away, or not a square to within 20 %.
 std::string describe_defect(const MarkerBoard& board);
 
 }  // namespace amalgam::client

@@ -1,4 +1,4 @@
-// Finds the set of marker patterns that a name stands for.
+// Finds a set of marker patterns by name.
 #pragma once
 
 #include <opencv2/aruco/dictionary.hpp>
@@ -8,7 +8,7 @@ namespace amalgam::client {
 
 // A predefined dictionary of OpenCV ("DICT_6X6_250", "DICT_APRILTAG_36h11", ...), or the path of a
 // dictionary file (.yml, .yaml: nmarkers, markersize, marker_0, ...). Throws std::runtime_error for
-// anything else; an unknown name is answered with the names that are known.
+// anything else; for an unknown name it lists the known ones.
 cv::Ptr<cv::aruco::Dictionary> find_dictionary(const std::string& name);
 
 }  // namespace amalgam::client

@@ -1,8 +1,7 @@
-// Finds ArUco markers in camera images and says where they are, frame after frame.
+// Finds ArUco markers in camera images and their poses, from frame to frame.
 //
-// Poses are camera_from_marker (common/pose.h). A marker that is not seen has no entry, unless it
-// belongs to a board of which others are seen: holding a last good pose is the server's. Used by
-// one thread at a time.
+// Poses are camera_from_marker (common/pose.h). An unseen marker has no entry, unless it belongs to
+// a board with seen markers; the server holds last good poses. For one thread at a time.
 #pragma once
 
 #include <array>
@@ -26,19 +25,19 @@ struct TrackerOptions {
   std::string dictionary = "DICT_6X6_250";  // see find_dictionary()
   double marker_length = 0.05;              // metres, side of the black square
   std::vector<int> ids{};                   // markers of interest; empty: all of the dictionary
-  bool refine_corners = true;               // to fractions of a pixel; poses want it
-  // Markers that are fixed to one another. Theirs are the poses that all of them together give, and
-  // the world marker's too, whether it is part of the board or not: see placed_on().
+  bool refine_corners = true;               // to fractions of a pixel, as poses need
+  // Markers that are fixed to each other. Their poses, and the world marker's, come from all of
+  // them together, whether the world marker is part of the board or not: see placed_on().
   std::optional<MarkerBoard> board{};
-  int world_marker = -1;  // of interest with a board only
+  int world_marker = -1;  // needed only with a board
 };
 
 struct TrackerCounts {
   std::uint64_t images = 0;
   std::uint64_t poses = 0;
-  std::uint64_t repeated = 0;     // further markers with an id that the image held already: ignored
-  std::uint64_t unsolved = 0;     // markers found whose corners gave no usable pose
-  std::uint64_t board_poses = 0;  // images in which the board had a pose
+  std::uint64_t repeated = 0;        // further markers with the same id in one image: ignored
+  std::uint64_t unsolved = 0;        // markers found whose corners gave no usable pose
+  std::uint64_t board_poses = 0;     // images in which the board had a pose
   std::uint64_t board_outliers = 0;  // markers of the board that contradicted its others
 };
 
@@ -48,11 +47,11 @@ class MarkerTracker {
   // camera with a defect.
   MarkerTracker(const TrackerOptions& options, const common::CameraModel& camera);
 
-  // Every marker of interest or of the board in a BGR or grey 8-bit image, repeated ids included.
+  // All markers of interest or of the board in a BGR or grey 8-bit image, repeated ids included.
   std::vector<DetectedMarker> detect(const cv::Mat& image) const;
 
-  // One pose for each marker of interest, in ascending order of ids. The image must have the
-  // camera's size; throws std::invalid_argument if it has not.
+  // One pose for each marker of interest, in ascending order of ids. Throws std::invalid_argument
+  // if the image does not have the camera's size.
   std::vector<common::MarkerPose> track(const cv::Mat& image);
   std::vector<common::MarkerPose> track(const common::ImageRgb8& image);
 

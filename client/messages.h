@@ -1,4 +1,4 @@
-// The client's words for the messages of the protocol.
+// Makes the client's protocol messages.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ namespace amalgam::client {
 protocol::Hello hello_message(const common::CameraModel& camera, const std::string& token,
                               int jpeg_quality);
 
-// Poses beyond what the protocol allows in one frame are left out, the last ones first.
+// Poses beyond the protocol's limit for one frame are dropped from the end.
 protocol::Envelope frame_message(std::uint64_t frame_id, const CapturedFrame& frame,
                                  std::span<const common::MarkerPose> poses);
 

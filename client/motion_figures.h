@@ -1,13 +1,13 @@
-// What smoothing does to a stream of poses, in two figures: how much less it trembles, and how much
-// later it comes.
+// Measures the effect of smoothing on a stream of poses: how much it reduces jitter, and how much
+// lag it adds.
 //
-// Jitter: the root mean square of the second difference of successive values, which motion at a
-// constant speed leaves at 0. For white noise of deviation s it is sqrt(6) s.
+// Jitter: the root mean square of the second difference of successive values. It is 0 for motion at
+// a constant speed, and sqrt(6) s for white noise of deviation s.
 //
-// Lag: the time by which the smoothed motion, moved along its own velocity, would meet the raw one
-// best: the t that minimises sum |raw - smoothed - t v|^2, which is sum v.(raw - smoothed) /
-// sum v.v, with v the smoothed velocity. Fast motion thus counts most, as it does for the eye; at a
-// constant speed it is the filter's steady-state lag.
+// Lag: the time t by which the smoothed motion, extrapolated with its velocity v, fits the raw
+// motion best. It minimises sum |raw - smoothed - t v|^2, so t = sum v.(raw - smoothed) / sum v.v.
+// Fast motion counts most, as it does for the eye. At a constant speed t is the filter's
+// steady-state lag.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ struct MotionFigures {
   double lag = 0.0;                                // seconds; 0 if nothing moved
 };
 
-// One kind of motion of any number of markers: sums only, so that it may run for days.
+// One kind of motion of any number of markers. Keeps only sums, so that it may run for days.
 class MotionMeter {
  public:
   // Second differences of the raw and of the smoothed values.

@@ -1,8 +1,8 @@
-// The One-Euro filter: a low-pass whose cut-off rises with speed, so that what rests does not
-// tremble and what moves does not drag [Casiez, Roussel & Vogel, CHI 2012].
+// The One-Euro filter: a low-pass whose cut-off rises with speed, which removes jitter at rest and
+// lag in motion [Casiez, Roussel & Vogel, CHI 2012].
 //
-// Cut-off = min_cutoff + beta * speed, in Hz; the speed is that of successive raw values, itself
-// low-passed at 1 Hz. At a constant speed the filtered value is late by 1 / (2 pi cut-off) seconds.
+// Cut-off = min_cutoff + beta * speed, in Hz. The speed is that of successive raw values,
+// low-passed at 1 Hz. At a constant speed the filtered value lags by 1 / (2 pi cut-off) seconds.
 #pragma once
 
 #include <glm/gtc/quaternion.hpp>
@@ -16,13 +16,14 @@ struct OneEuroOptions {
   double beta = 0.0;        // Hz per m/s for positions, Hz per rad/s for rotations; 0 or more
 };
 
-// The weight of the newest value in an exponential low-pass; seconds since the last one.
+// The weight of the newest value in an exponential low-pass. seconds: since the last value.
 double smoothing_weight(double cutoff_hz, double seconds);
 
-// Turns by a rotation vector (axis times angle, radians; the shorter way) and back.
+// The rotation vector (axis times angle, radians; the shorter way) of a rotation.
 glm::dvec3 rotation_vector(const glm::dquat& rotation);
 
-// A position in metres; one cut-off for all three coordinates, so that paths keep their shape.
+// Filters a position in metres, with one cut-off for all three coordinates, so that paths keep
+// their shape.
 class OneEuroPosition {
  public:
   explicit OneEuroPosition(const OneEuroOptions& options) : options_(options) {}
@@ -35,7 +36,7 @@ class OneEuroPosition {
   glm::dvec3 filtered_{}, velocity_{};
 };
 
-// A rotation as a unit quaternion, filtered along the great arc.
+// Filters a rotation (unit quaternion) along the great arc.
 class OneEuroRotation {
  public:
   explicit OneEuroRotation(const OneEuroOptions& options) : options_(options) {}

@@ -7,7 +7,7 @@
 
 namespace amalgam::client {
 
-// OpenCV prints every error before it throws it; the message is ours to print, once.
+// Keeps OpenCV from printing errors before it throws them; the program prints them once.
 class QuietOpenCv {
  public:
   QuietOpenCv() : previous_(cv::redirectError(ignore)) {}
@@ -20,7 +20,7 @@ class QuietOpenCv {
   cv::ErrorCallback previous_;
 };
 
-// kind is what the file should be, for the error: "calibration", "board".
+// kind: of file, for the error: "calibration", "board".
 [[noreturn]] void fail_file(const char* kind, const std::filesystem::path& file,
                             const std::string& what);
 

@@ -36,7 +36,7 @@ struct Options {
   std::string log_level = "warn";
 };
 
-// Nothing if the program is to end now with the exit code (help, or a mistake that was said).
+// Nothing if the program should end with exit_code (after help or a reported mistake).
 std::optional<Options> parse_options(int argc, const char* const* argv, int& exit_code);
 
 // "host:port" or "[address]:port", port not 0. Throws std::runtime_error.

@@ -24,7 +24,7 @@ inline constexpr PackedColor mix_packed(PackedColor a, PackedColor b, std::uint3
   return (red_blue & kRedAndBlue) | (green & kGreen);
 }
 
-// The rounded mean of a number of colors that is known beforehand, at most 256 of them.
+// The rounded mean of exactly Count colors, at most 256.
 template <std::uint32_t Count>
 class PackedMean {
  public:

@@ -19,7 +19,7 @@ std::optional<common::MarkerPose> PoseDisambiguation::choose(
                                  angle_between(last->rotation, second.pose.rotation);
     const bool clear = second.error > kClearRatio * chosen->error;
     const bool overwhelming = second.error > kOverwhelmingRatio * chosen->error;
-    // The frames that speak against the remembered side; any that does not starts the count anew.
+    // Counts successive frames that contradict the remembered pose.
     frames_against_ = !first_is_nearer && clear ? frames_against_ + 1 : 0;
     const bool switches = overwhelming || frames_against_ >= kFramesToSwitch;
     if (!first_is_nearer && !switches) chosen = &second;

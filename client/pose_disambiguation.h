@@ -1,10 +1,9 @@
-// Decides which of a marker's two possible poses is the real one, so that virtual objects do not
-// flip over from one frame to the next (numerics B22).
+// Chooses between a marker's two possible poses, so that virtual objects do not flip over from one
+// frame to the next (numerics B22).
 //
-// One memory serves one marker. Without a previous pose the solution with the smaller error is
-// taken. With one, the solution nearest to it is kept, unless the other is clearly better: its
-// error is less than half, in several frames on end (a single frame of noise says little) or
-// overwhelmingly.
+// One object serves one marker. Without a previous pose, takes the solution with the smaller error.
+// With one, takes the solution nearest to it, unless the other is clearly better: its error is less
+// than half in several successive frames, or less than a tenth in one.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +16,8 @@ namespace amalgam::client {
 
 class PoseDisambiguation {
  public:
-  // The chosen solution's pose, remembered as the previous one; nothing if there are no solutions.
-  // frame counts images, not detections: a memory older than kMaxAge images is dropped.
+  // The chosen solution's pose, kept as the previous one; nothing if there are no solutions. frame
+  // counts images, not detections: a previous pose older than kMaxAge images is dropped.
   std::optional<common::MarkerPose> choose(std::span<const PoseSolution> solutions,
                                            std::uint64_t frame);
 
@@ -27,8 +26,8 @@ class PoseDisambiguation {
 
   static constexpr double kClearRatio = 2.0;          // B22: second error / first error
   static constexpr double kOverwhelmingRatio = 10.0;  // switches at once
-  static constexpr int kFramesToSwitch = 3;           // clear but not overwhelming, on end
-  static constexpr std::uint64_t kMaxAge = 30;        // images: a second, as cameras go
+  static constexpr int kFramesToSwitch = 3;           // successive, clear but not overwhelming
+  static constexpr std::uint64_t kMaxAge = 30;        // images: a second at 30 Hz
 
  private:
   std::optional<common::MarkerPose> previous_;

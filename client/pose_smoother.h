@@ -1,8 +1,8 @@
-// Smooths the poses of all markers before they are sent, and measures what that costs and brings.
+// Smooths the poses of all markers before they are sent, and measures the effect.
 //
-// Each marker has its own One-Euro filters, for its position and its rotation in the camera's
-// frame. A marker that was away for more than kMaxMissed images begins anew; images and not time,
-// so that slow cameras are smoothed too.
+// Each marker has its own One-Euro filters, for position and rotation in the camera's frame. A
+// marker unseen for more than kMaxMissed images starts anew. Images and not time, so that slow
+// cameras are smoothed too.
 #pragma once
 
 #include <chrono>
@@ -26,11 +26,11 @@ struct SmoothingReport {
 class PoseSmoother {
  public:
   using Time = std::chrono::steady_clock::time_point;
-  static constexpr std::uint64_t kMaxMissed = 8;  // a quarter of a second, as cameras go
+  static constexpr std::uint64_t kMaxMissed = 8;  // a quarter of a second at 30 Hz
 
   explicit PoseSmoother(const OneEuroOptions& options) : options_(options) {}
 
-  // The poses of one image, captured at this time. Times that do not advance leave poses raw.
+  // poses: of one image, captured at this time. Times that do not advance leave poses raw.
   std::vector<common::MarkerPose> smooth(std::vector<common::MarkerPose> poses, Time captured_at);
 
   SmoothingReport report() const;

@@ -1,8 +1,7 @@
-// One pose that explains where a target's points are seen; flat targets usually have two.
+// One pose that fits the seen points of a target; flat targets usually have two.
 //
-// Seen with little perspective, a tilted plane and its mirror image about the line of sight look
-// the same, so IPPE [Collins & Bartoli 2014] gives both; which one is real is for
-// PoseDisambiguation to say.
+// With little perspective, a tilted plane and its mirror image about the line of sight look the
+// same. So IPPE [Collins & Bartoli 2014] gives both, and PoseDisambiguation chooses.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -21,14 +20,13 @@ struct PoseSolution {
   double error = 0.0;       // root mean square distance of the points, pixels without distortion
 };
 
-// From a rotation vector and a translation as OpenCV gives them. Nothing if they are not finite,
-// lie behind the camera, or if the rotation is off orthonormal by more than 1e-3 (numerics B22).
+// From OpenCV's rotation vector and translation. Nothing if they are not finite, the target is
+// behind the camera, or the rotation is off orthonormal by more than 1e-3 (numerics B22).
 std::optional<PoseSolution> make_solution(const cv::Mat& rotation_vector,
                                           const cv::Mat& translation, double error);
 
-// Where an ideal lens would have put these pixels. Nothing if one lies where the lens model cannot
-// be inverted. Not left to OpenCV's solvers, whose inversion of the distortion stops after five
-// steps whatever the remaining error.
+// Undistorted pixels. Nothing if the lens model cannot be inverted at one of them. OpenCV's solvers
+// invert the distortion too, but stop after five steps whatever the remaining error.
 std::optional<std::vector<cv::Point2d>> ideal_pixels(std::span<const glm::dvec2> pixels,
                                                      const common::CameraModel& camera);
 

@@ -1,4 +1,4 @@
-// The two poses that a flat square marker may have when all that is known are its four corners.
+// The two possible poses of a flat square marker, from its four corners.
 #pragma once
 
 #include <array>
@@ -14,9 +14,9 @@ namespace amalgam::client {
 // printed marker, as OpenCV's detector orders them.
 using SquareCorners = std::array<glm::dvec2, 4>;
 
-// None, one or two solutions, the better one first. Left out: what make_solution() leaves out, and
-// solutions that show the marker's back. None at all if a corner lies where the lens model cannot
-// be inverted. marker_length in metres.
+// None, one or two solutions, the better one first. Without solutions that make_solution() rejects
+// or that show the marker's back. None if the lens model cannot be inverted at a corner.
+// marker_length in metres.
 std::vector<PoseSolution> solve_square(const SquareCorners& corners, double marker_length,
                                        const common::CameraModel& camera);
 

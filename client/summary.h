@@ -1,4 +1,4 @@
-// What the client says at its end, for people and for scripts.
+// The client's final summary, for people and for scripts.
 #pragma once
 
 #include <string>

@@ -17,7 +17,8 @@ double sample_position(int sample) {
   return (sample + 0.5) / kSamplesPerSide - 0.5;
 }
 
-// The wall behind the desk, by how steeply a ray leaves: it gives mirrors and horizons a direction.
+// The wall behind the desk, colored by the ray's slope, so that mirrors and horizons show a
+// direction.
 PackedColor wall(const glm::dvec3& direction) {
   const double height = direction.z / glm::length(direction);
   const auto lit = static_cast<float>(glm::clamp(0.55 + 0.6 * height, 0.25, 1.0));

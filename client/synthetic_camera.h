@@ -1,7 +1,7 @@
-// A camera that needs no hardware: it films the synthetic desk from poses that are known exactly.
+// A camera without hardware: renders the synthetic desk from exactly known poses.
 //
-// Every frame is a function of its pose alone, the same on every machine. Lens distortion, where
-// the camera has some, is that of common/camera_model.h.
+// A frame depends on its pose alone and is the same on every machine. Lens distortion is that of
+// common/camera_model.h.
 #pragma once
 
 #include <cstdint>
@@ -40,7 +40,7 @@ class SyntheticCamera {
 
   common::CameraModel camera_;
   std::shared_ptr<const SyntheticDesk> desk_;
-  // Directions (x, y with z = 1) of the samples: one each, row by row, or without distortion one
+  // Directions (x, y with z = 1) of the samples: one for each, row by row; without distortion one
   // for each column and each row.
   std::vector<glm::dvec2> distorted_rays_;
   std::vector<double> column_x_, row_y_;

@@ -1,6 +1,5 @@
-// What the synthetic camera looks at: a wooden desk with a sheet of paper that bears a real ArUco
-// marker, and flat colored things around it that are recognisable when glass turns them upside
-// down.
+// The synthetic camera's subject: a wooden desk, a sheet of paper with a real ArUco marker, and
+// flat colored things that are recognisable when glass turns them upside down.
 //
 // The desk is the plane z = 0 of OpenCV's marker frame: points are (x to the marker's right, y to
 // its top) in metres.
@@ -28,7 +27,7 @@ class SyntheticDesk {
 
   bool covers(const glm::dvec2& point) const { return whole_.covers(point); }
 
-  // footprint: metres on the desk that the sample stands for. The point must be covered.
+  // footprint: the sample's width on the desk, metres. The point must be covered.
   PackedColor color(const glm::dvec2& point, double footprint) const;
 
   const PrintedMarker& marker() const { return marker_; }

@@ -31,8 +31,8 @@ common::MarkerPose synthetic_pose(std::uint64_t frame, int marker) {
   const double turn = 2.0 * std::numbers::pi * static_cast<double>(frame % kSyntheticPeriod) /
                       static_cast<double>(kSyntheticPeriod);
   // Different whole multiples of the turn: smooth, closed, and never at rest in all three at once.
-  const double azimuth =
-      40.0 * kDegree * std::sin(turn);  // from the sheet's bottom edge, to its right
+  // From the sheet's bottom edge, to its right.
+  const double azimuth = 40.0 * kDegree * std::sin(turn);
   const double elevation = kDegree * (44.0 + 10.0 * std::sin(2.0 * turn + 1.0));
   const double distance = 0.475 + 0.125 * std::cos(turn + 0.7);  // metres
   const glm::dvec3 direction(std::cos(elevation) * std::sin(azimuth),

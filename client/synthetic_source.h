@@ -8,7 +8,7 @@ namespace amalgam::client {
 
 class SyntheticSource : public CameraSource {
  public:
-  // with_true_poses: frames carry the exact pose; otherwise it is left to be detected.
+  // with_true_poses: frames carry the exact pose; otherwise it has to be detected.
   SyntheticSource(const common::CameraModel& camera, bool with_true_poses, int jpeg_quality)
       : camera_(camera), with_true_poses_(with_true_poses), jpeg_quality_(jpeg_quality) {}
 

@@ -11,9 +11,9 @@ namespace {
 
 using std::chrono::milliseconds;
 
-// The longest that a signal or a key press goes unnoticed.
+// The longest delay until a signal or a key press is noticed.
 constexpr milliseconds kMaxWait{50};
-// The last answers are waited for this long; a server that is alive answers or pings well before.
+// Time for the last answers. A live server answers or pings well before.
 constexpr std::chrono::seconds kFinishTimeout{30};
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The client's loop: capture, find markers, send, and hand composites to the sink.
+// The client's loop: captures, finds markers, sends frames and hands composites to the sink.
 #pragma once
 
 #include <atomic>
@@ -17,10 +17,10 @@
 namespace amalgam::client {
 
 struct ViewerOptions {
-  std::uint64_t frames = 0;            // to capture; 0: until the source ends
-  double rate = 30.0;                  // frames a second, of sources that have no time of their own
-  bool lockstep = false;               // wait for the answer to each frame before the next
-  std::optional<MarkerBoard> board{};  // stands for the world marker: see TrackerOptions
+  std::uint64_t frames = 0;                   // to capture; 0: until the source ends
+  double rate = 30.0;                         // frames a second, for sources that are not live
+  bool lockstep = false;                      // wait for the answer to each frame before the next
+  std::optional<MarkerBoard> board{};         // see TrackerOptions
   std::optional<OneEuroOptions> smoothing{};  // of all poses that are sent
   double dead_band = 0.0;                     // pixels, after smoothing; 0: none
 };
@@ -32,9 +32,9 @@ struct ViewerSummary {
   std::optional<SmoothingReport> smoothing;
   std::uint64_t poses_held = 0;  // sent again by the dead band
   std::uint64_t reconnects = 0;
-  std::uint64_t server_errors = 0;  // Error messages that the session survived
-  std::string last_error;           // the last of these, or why the connection was given up
-  bool gave_up = false;             // the connection ended before the frames did
+  std::uint64_t server_errors = 0;  // Errors that the session survived
+  std::string last_error;           // the last of these, or why the connection gave up
+  bool gave_up = false;             // the connection gave up before all frames were done
   double seconds = 0.0;             // from the first capture to the end
 };
 
@@ -44,7 +44,8 @@ class Viewer {
   Viewer(const ViewerOptions& options, const common::CameraModel& camera, CameraSource& source,
          FrameSink* sink, Connection& connection, const std::atomic<bool>& stop);
 
-  // Until all frames are captured and accounted for, the user stops it, or the connection gives up.
+  // Runs until all frames are captured and accounted for, the user stops it, or the connection
+  // gives up.
   ViewerSummary run();
 
  private:
@@ -54,7 +55,7 @@ class Viewer {
   void stream();
   void finish();
   void send(const CapturedFrame& frame);
-  bool handle_next(std::chrono::milliseconds timeout);  // false: nothing has happened in that time
+  bool handle_next(std::chrono::milliseconds timeout);  // false: no event in that time
   void handle(Welcomed& event);
   void handle(Composited& event);
   void handle(FrameError& event);
@@ -68,8 +69,8 @@ class Viewer {
   FrameSink* sink_;
   Connection& connection_;
   const std::atomic<bool>& stop_;
-  std::optional<MarkerTracker> tracker_;  // once the server has said what to look for
-  std::string markers_;                   // what that was, as it came
+  std::optional<MarkerTracker> tracker_;  // made when the server has sent its markers
+  std::string markers_;                   // those markers, as received
   std::optional<PoseSmoother> smoother_;
   std::optional<PoseDeadBand> dead_band_;  // made with the tracker
   FramesInFlight in_flight_;

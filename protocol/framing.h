@@ -1,5 +1,5 @@
-// Cuts a byte stream into Envelopes and back: a 4-byte little-endian length, then one Envelope.
-// Used by both ends. A length is judged before anything is allocated for it.
+// Frames Envelopes in a byte stream: a 4-byte little-endian length, then one Envelope. Used by both
+// ends. A length is checked before anything is allocated for it.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace amalgam::protocol {
 
-// The largest Envelope that is accepted, in bytes, by what it begins with.
+// The largest accepted Envelope, in bytes, by its first byte.
 struct SizeLimits {
   std::size_t control = 0;
   std::size_t image = 0;  // CameraFrame, Environment, Composite
@@ -21,7 +21,7 @@ SizeLimits limits_before_hello();
 SizeLimits limits_of_server();  // what a server accepts after the hello
 SizeLimits limits_of_client();
 
-// The length and the Envelope, ready to be written.
+// The length and the Envelope as bytes.
 std::string encode(const Envelope& envelope);
 
 class Decoder {
@@ -34,14 +34,14 @@ class Decoder {
 
   explicit Decoder(const SizeLimits& limits) : limits_(limits) {}
 
-  // Takes bytes from the front of `input` up to the end of one message and returns it; NeedMore
-  // when the input is used up before. After a Failure every call gives the same one.
+  // Consumes bytes of `input` up to the end of one message and returns it; NeedMore if the input
+  // ends before. After a Failure every call returns the same one.
   Result next(std::span<const std::byte>& input);
 
   // For the messages that begin after this call.
   void set_limits(const SizeLimits& limits) { limits_ = limits; }
 
-  // Bytes of a message that has begun but is not complete; 0 between messages.
+  // Received bytes of an incomplete message; 0 between messages.
   std::size_t bytes_of_unfinished() const { return received_; }
 
  private:

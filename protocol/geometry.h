@@ -1,7 +1,7 @@
-// Cameras and poses as they go over the wire: both directions, for clients and for the server.
+// Converts cameras and poses to messages and back, for clients and the server.
 //
-// Reading checks nothing: sizes must have been judged before (they are cast to int), and values
-// are judged after, by common::describe_defect and common::is_usable.
+// Reading checks nothing. Check sizes before, because they are cast to int, and values after, by
+// common::describe_defect and common::is_usable.
 #pragma once
 
 #include "common/camera_model.h"

@@ -1,5 +1,5 @@
-// Every limit of the protocol and of a session in one block, so that nobody has to hunt for one.
-// These are defaults; what an operator may change is in server/net/server_config.h.
+// Every limit of the protocol and of a session. These are defaults; server/net/server_config.h has
+// those that an operator may change.
 #pragma once
 
 #include <chrono>
@@ -11,16 +11,16 @@ namespace amalgam::protocol {
 inline constexpr std::uint32_t kProtocolVersion = 1;
 inline constexpr std::size_t kLengthBytes = 4;  // the length before each Envelope
 
-// --- sizes, of one Envelope ---
-// A stranger may make the server hold this much: a Hello with the longest token is below 2 KiB.
+// --- sizes, of one Envelope --- The most that an unauthenticated client can make the server hold:
+// a Hello with the longest token is below 2 KiB.
 inline constexpr std::size_t kMaxBeforeHelloBytes = 4 * 1024;
 // Everything but images: 64 poses are below 8 KiB, the rest is room to grow.
 inline constexpr std::size_t kMaxControlBytes = 64 * 1024;
 // A camera frame of 4 Mpixel at a good quality is 1 to 2 MiB.
 inline constexpr std::size_t kMaxCameraFrameBytes = 4 * 1024 * 1024;
-// Held by clients only: 4 Mpixel at quality 100 without subsampling cannot come out larger.
+// Checked by clients only: 4 Mpixel at quality 100 without subsampling are smaller.
 inline constexpr std::size_t kMaxCompositeBytes = 32 * 1024 * 1024;
-// Long enough for any generated secret; keeps a Hello below kMaxBeforeHelloBytes.
+// Long enough for any generated secret, and keeps a Hello below kMaxBeforeHelloBytes.
 inline constexpr std::size_t kMaxTokenBytes = 1024;
 
 // --- contents ---
@@ -33,9 +33,9 @@ inline constexpr std::uint32_t kMaxJpegQuality = 100;
 // --- times ---
 // A hello is a few hundred bytes: 2 s are three retransmissions on a bad link.
 inline constexpr std::chrono::milliseconds kHelloTimeout{2000};
-// A frame that takes longer is of no use to a viewer any more.
+// A frame that takes longer is of no use to a viewer.
 inline constexpr std::chrono::milliseconds kMessageTimeout{5000};
-// Below this no camera stream is watchable; it stops one byte at a time ...
+// Below this no camera stream is watchable. Ends senders of one byte at a time ...
 inline constexpr std::size_t kMinBytesPerSecond = 64 * 1024;
 // ... but a radio link may fall silent for this long before the rate is judged.
 inline constexpr std::chrono::milliseconds kRateGrace{2000};
@@ -46,11 +46,11 @@ inline constexpr std::chrono::milliseconds kIdleTimeout{5000};
 inline constexpr std::chrono::milliseconds kWriteTimeout{5000};
 // After the last message both sides may read to the end; then the socket is closed regardless.
 inline constexpr std::chrono::milliseconds kLinger{1000};
-// Older than this a held pose would visibly swim.
+// An older held pose would visibly drift.
 inline constexpr std::chrono::milliseconds kPoseHold{250};
-// A capture time further ahead of its predecessor than the time between arrivals and this is wrong.
+// A capture time may lead its predecessor by the time between arrivals plus this.
 inline constexpr std::chrono::milliseconds kMaxCaptureLead{10000};
-// Supervisors kill after 25 to 30 s; this leaves time to end cleanly.
+// Supervisors kill after 25 to 30 s; this leaves time for a clean end.
 inline constexpr std::chrono::milliseconds kDrainTimeout{20000};
 inline constexpr std::chrono::milliseconds kRetryAfter{2000};
 
@@ -59,13 +59,14 @@ inline constexpr std::size_t kMaxConnections = 256;
 inline constexpr std::size_t kMaxUnauthenticated = 64;
 inline constexpr std::size_t kMaxPerAddress = 16;
 inline constexpr std::size_t kMaxAdminConnections = 16;
-// Answers to a peer that does not read them: further ones are dropped.
+// Waiting answers to a peer that does not read; further ones are dropped.
 inline constexpr std::size_t kMaxQueuedControl = 32;
 
 // --- buffers ---
 inline constexpr std::size_t kReadBufferBytes = 64 * 1024;  // after the hello; before: 4 KiB
-// Unsent bytes that the kernel may hold: more would be old frames out of reach of newest-wins.
+// Unsent bytes that the kernel may buffer. More would be old frames that newest-wins cannot
+// replace.
 inline constexpr int kUnsentBytes = 64 * 1024;
-// SO_SNDBUF is left to the kernel: bytes in flight are the network's business.
+// SO_SNDBUF is left to the kernel, because bytes in flight depend on the network.
 
 }  // namespace amalgam::protocol

@@ -3,23 +3,27 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 
+#include "frame/settings_options.h"
+#include "gl/shader_interface.h"
+
 namespace amalgam::tools {
 
 void add_renderer_options(CLI::App& app, frame::RendererSettings& settings) {
+  namespace names = frame::option_names;
   app.add_option_function<std::string>(
-         "--renderer",
+         names::kRenderer,
          [&settings](const std::string& text) { settings.mode = frame::parse_renderer_mode(text); },
          "hybrid (rasterise diffuse, trace specular), raytrace (trace all), raster (leave specular "
          "objects out) or diffuse (paint them diffuse)")
       ->check(CLI::IsMember({"hybrid", "raytrace", "raster", "diffuse"}))
       ->default_str("hybrid");
   app.add_option_function<std::string>(
-         "--samples",
+         names::kSamples,
          [&settings](const std::string& text) {
            try {
              frame::parse_samples(text, settings);
            } catch (const std::invalid_argument& error) {
-             throw CLI::ValidationError("--samples", error.what());
+             throw CLI::ValidationError(names::kSamples, error.what());
            }
          },
          "samples a pixel: 1, 4, 9, 16, or adaptive[:THRESHOLD], which takes 9 only where "
@@ -27,21 +31,22 @@ void add_renderer_options(CLI::App& app, frame::RendererSettings& settings) {
          "differ by more than THRESHOLD (display-linear, default 0.03)")
       ->default_str("1");
   app.add_option_function<std::string>(
-         "--shadow-edges",
+         names::kShadowEdges,
          [&settings](const std::string& text) { settings.trace_shadow_edges = text == "traced"; },
          "edges of shadows on rasterised surfaces: map (as exact as a texel of the shadow map) or "
          "traced")
       ->check(CLI::IsMember({"map", "traced"}))
       ->default_str("map");
-  app.add_option("--max-depth", settings.trace.max_depth, "specular surfaces that a ray may meet")
+  app.add_option(names::kMaxDepth, settings.trace.max_depth,
+                 "specular surfaces that a ray may meet")
       ->check(CLI::Range(0, 10000))
       ->capture_default_str();
-  app.add_option("--importance-cutoff", settings.trace.importance_cutoff,
+  app.add_option(names::kImportanceCutoff, settings.trace.importance_cutoff,
                  "share of a pixel [0, 1) below which a ray's branch ends")
       ->check(CLI::Range(0.0, 0.999))
       ->capture_default_str();
   app.add_option_function<std::string>(
-         "--fresnel",
+         names::kFresnel,
          [&settings](const std::string& text) {
            settings.trace.fresnel =
                text == "exact" ? trace::FresnelModel::Exact : trace::FresnelModel::Schlick;
@@ -50,30 +55,31 @@ void add_renderer_options(CLI::App& app, frame::RendererSettings& settings) {
       ->check(CLI::IsMember({"schlick", "exact"}))
       ->default_str("schlick");
   app.add_option_function<std::string>(
-         "--env-lights",
+         names::kEnvLights,
          [&settings](const std::string& text) {
            settings.env_lights = scene::parse_env_light_options(text);
          },
-         "lights made of the environment map: sectors (8) or median-cut:N, N up to 4096 (512 if "
-         "rasterising)")
+         "lights made of the environment map: sectors (8) or median-cut:N, N up to " +
+             std::to_string(scene::kMaxEnvLights) + " (" + std::to_string(gl::kMaxLights) +
+             " if rasterising)")
       ->default_str("sectors");
   app.add_option_function<float>(
-         "--exposure", [&settings](const float& exposure) { settings.exposure = exposure; },
+         names::kExposure, [&settings](const float& exposure) { settings.exposure = exposure; },
          "fixed exposure (factor on scene-linear light); without it, metered on the real surfaces")
       ->check(CLI::PositiveNumber);
-  app.add_option("--render-scale", settings.render_scale,
+  app.add_option(names::kRenderScale, settings.render_scale,
                  "(0, 1]: pixels that virtual things are rendered in for each of the camera's, on "
                  "each axis; the camera image keeps all of its own")
       ->check(CLI::Range(0.01, 1.0))
       ->capture_default_str();
-  app.add_option("--target-fps", settings.target_fps,
+  app.add_option(names::kTargetFps, settings.target_fps,
                  "frames a second: a frame's quality is lowered until it takes no longer; without "
                  "it, quality is as the other options say")
       ->check(CLI::Range(0.1, 1000.0));
-  app.add_flag("--coarse", settings.coarse_allowed,
+  app.add_flag(names::kCoarse, settings.coarse_allowed,
                "let --target-fps lower what is plainly seen too: pixels (as --render-scale) and "
                "depth below 8");
-  app.add_option("--threads", settings.threads,
+  app.add_option(names::kThreads, settings.threads,
                  "threads for rendering; 0: one for each core that this process may use, which "
                  "affinity and a container's CPU quota may lessen")
       ->check(CLI::NonNegativeNumber)

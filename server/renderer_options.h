@@ -1,4 +1,4 @@
-// The renderer's knobs as command line options, the same for every program that renders.
+// The renderer's settings as command line options, the same for every program that renders.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@ class App;
 
 namespace amalgam::tools {
 
-// Adds --renderer, --samples, --max-depth, --importance-cutoff, --fresnel, --env-lights, --exposure
-// and --threads. The settings must outlive parsing; wrong values end parsing with a message.
+// Adds the options of frame/settings_options.h, which has the reverse conversion. The settings must
+// outlive parsing; wrong values end parsing with a message.
 void add_renderer_options(CLI::App& app, frame::RendererSettings& settings);
 
 // The complex scene: beside the build tree (deploy/scenes in the source) or installed

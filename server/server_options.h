@@ -16,8 +16,8 @@ struct ServerOptions {
   frame::RenderServiceOptions render;
 };
 
-// Nothing if that was all, as after --help. Throws std::runtime_error or std::invalid_argument with
-// one line that says what is wrong.
+// Nothing if the program should end, as after --help. Throws std::runtime_error or
+// std::invalid_argument with one line.
 std::optional<ServerOptions> parse_server_options(int argc, const char* const* argv);
 
 }  // namespace amalgam

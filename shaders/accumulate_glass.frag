@@ -1,5 +1,5 @@
 #version 450 core
-// Adds one glass interface's optical depth on the light's way (see shadow.glsl), and keeps the
+// Adds one glass interface's optical depth to the light's path (see shadow.glsl), and keeps the
 // nearest interface's depth.
 #include "interface.glsl"
 #include "surface_inputs.glsl"
@@ -16,7 +16,7 @@ void main() {
 
   bool perspective = light_perspective != 0u;
   vec3 to_light = perspective ? normalize(light_eye - world_position) : light_eye;
-  // Parallel light: from anywhere, since only differences count.
+  // Parallel light: from any origin, since only differences count.
   float t = perspective ? distance(light_eye, world_position) : -dot(to_light, world_position);
 
   Normals normals = surface_normals(world_normal);

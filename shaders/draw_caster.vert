@@ -1,5 +1,5 @@
 #version 450 core
-// Casters of shadows as a light sees them, in one layer of the shadow maps.
+// Shadow casters, projected to one layer of the shadow maps.
 #include "interface.glsl"
 #include "surface_attributes.glsl"
 

@@ -1,5 +1,5 @@
 #version 450 core
-// Depth only; alpha masks leave holes.
+// Depth only, with alpha cut-outs.
 #include "interface.glsl"
 #include "surface_inputs.glsl"
 #include "surface_material.glsl"

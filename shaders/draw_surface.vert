@@ -1,6 +1,6 @@
 #version 450 core
-// Surfaces as the camera sees them. All passes from the camera use this one shader, so that what one
-// of them found to be nearest is found again to the last bit.
+// Surfaces, projected to the camera. All passes from the camera use this one shader, so that their
+// depths are equal to the last bit.
 #include "interface.glsl"
 #include "surface_attributes.glsl"
 

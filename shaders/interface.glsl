@@ -1,5 +1,5 @@
-// What GLSL and C++ agree on; the other half of this file is server/gl/shader_interface.h. Numbers
-// come from there by name: before this text stands what server/gl/shader_constants.cpp lists.
+// The interface of GLSL and C++; server/gl/shader_interface.h is its counterpart. Numbers come from
+// there by name: server/gl/shader_constants.cpp puts them before this text.
 
 struct Material {
   vec4 base_color;
@@ -43,9 +43,9 @@ layout(std140, binding = kSrgbTableBinding) uniform SrgbTable {
 layout(std140, binding = kSurfaceBinding) uniform Surface {
   mat4 clip_from_mesh;
   mat4 world_from_mesh;
-  mat4 normal_from_mesh;  // cofactors, divided by the last element, which is negative if it mirrors
+  mat4 normal_from_mesh;  // cofactors, divided by the last element, negative if it mirrors
   Material material;
-  uint surface_flags;     // what the mask shows
+  uint surface_flags;     // the instance's value in the mask
 };
 layout(std140, binding = kLightsBinding) uniform Lights { Light lights[kMaxLights]; };
 layout(std140, binding = kShadowLayerBinding) uniform ShadowLayer {

@@ -1,5 +1,5 @@
 // Direct light on a diffuse surface (eq. 4.6). The same formulas as scene/light/light.cpp,
-// scene/material.cpp and trace/shade.cpp, in the same order; a test holds them together.
+// scene/material.cpp and trace/shade.cpp, in the same order; a test compares them.
 
 const float kPi = 3.14159265358979;
 
@@ -41,7 +41,7 @@ PhongTerms phong_terms(vec3 color, MetallicRoughness point) {
                     mix(vec3(kDielectricF0), color, point.metallic), point.phong_exponent);
 }
 
-// Radiance towards `view` from one light that nothing is in front of. cosine: N.L > 0.
+// Radiance towards `view` from one unoccluded light. cosine: N.L > 0.
 vec3 phong_contribution(PhongTerms terms, vec3 normal, vec3 view, LightArrival arrival,
                         float cosine) {
   vec3 reflected = 2.0 * cosine * normal - arrival.to_light;

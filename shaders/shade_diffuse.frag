@@ -1,6 +1,6 @@
 #version 450 core
-// Both solutions of a diffuse surface in one go: I_m with all shadows, I_r with those of real
-// objects (eq. 4.6).
+// Both solutions of a diffuse surface at once: I_m with all shadows, I_r with those of real objects
+// (eq. 4.6).
 #define RECEIVES_SHADOWS
 #include "interface.glsl"
 #include "surface_inputs.glsl"
@@ -12,12 +12,12 @@
 layout(early_fragment_tests) in;
 layout(binding = kMaskUnit) uniform usampler2D mask_flags;
 layout(location = kLightCountLocation) uniform uint light_count;
-// Samples from one fragment to the next.
+// Mask samples from one fragment to the next.
 layout(location = kMaskStepLocation) uniform int mask_step;
 
-// Of each tile: bit i for light i, if something virtual may take of its light there.
+// For each tile: bit i is set if a virtual caster may occlude light i there.
 layout(binding = kTileLightsUnit) uniform usampler2D tile_lights;
-// Fragments a side.
+// Fragments along a tile's side.
 layout(location = kSamplesOfTileLocation) uniform int samples_of_tile;
 
 layout(location = kMixedOutput) out vec4 mixed_image;
@@ -29,7 +29,7 @@ struct DiffusePoint {
   vec3 view;
 };
 
-// Adds what a light gives if virtual objects let `added` of it through.
+// Adds a light's contribution. added: the transmittance of virtual objects.
 void add_light(Light light, DiffusePoint point, vec3 added, inout vec3 mixed, inout vec3 real) {
   LightArrival arrival = light_arrival(light, world_position);
   float cosine = dot(point.normals.shading, arrival.to_light);
@@ -50,11 +50,11 @@ vec3 added_attenuation(Light light, vec3 geometric_normal) {
 }
 
 #if FEW_SUNS
-// At most kFewSuns lights, all of them directional. What virtual objects let through is asked for in
-// a loop over those lights alone that a virtual caster's shadow may come from in this tile: software
-// GL leaves nothing out in an `if`, but it does leave loops. All else is written out light by light:
-// with an index that the compiler knows, it reads each light once for all fragments. What is beyond
-// the light count has no direction, and so adds nothing.
+// At most kFewSuns lights, all of them directional. The transmittance of virtual objects is
+// computed in a loop over only those lights that a virtual caster may occlude in this tile:
+// software GL executes both branches of an `if`, but it does end loops. The rest is unrolled: with
+// a constant index, each light is read once for all fragments. Lights beyond the light count have
+// no direction and add nothing.
 void add_lights(DiffusePoint point, inout vec3 mixed, inout vec3 real) {
   uint waiting = texelFetch(tile_lights, ivec2(gl_FragCoord.xy) / samples_of_tile, 0).r;
   vec3 a0 = vec3(1.0), a1 = a0, a2 = a0, a3 = a0, a4 = a0, a5 = a0, a6 = a0, a7 = a0;
@@ -89,7 +89,7 @@ void add_lights(DiffusePoint point, inout vec3 mixed, inout vec3 real) {
 #endif
 
 void main() {
-  // Of coincident surfaces the mask pass chose one; another kind must not show through.
+  // Of coincident surfaces the mask pass chose one. A surface of another kind must not show.
   ivec2 sample_at = ivec2(gl_FragCoord.xy) * mask_step + mask_step / 2;
   if (texelFetch(mask_flags, sample_at, 0).r != surface_flags) discard;
   vec4 color = base_color();

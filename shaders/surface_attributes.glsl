@@ -1,9 +1,9 @@
-// A surface's vertices, and what of them goes on to its fragments (surface_inputs.glsl).
+// Vertex attributes of a surface, and their outputs to fragments (surface_inputs.glsl).
 layout(location = kPositionAttribute) in vec3 position;
 layout(location = kNormalAttribute) in vec3 normal;
 layout(location = kUvAttribute) in vec2 uv;
 out vec3 world_position;
-out vec3 world_normal;  // not unit: normalised where it is used
+out vec3 world_normal;  // not unit
 out vec2 surface_uv;
 #if HAS_VERTEX_COLORS
 layout(location = kColorAttribute) in vec4 color;

@@ -1,4 +1,4 @@
-// What a surface's vertices hand to its fragments (surface_attributes.glsl).
+// Inputs of a surface's fragments from its vertices (surface_attributes.glsl).
 in vec3 world_position;
 in vec3 world_normal;  // not unit
 in vec2 surface_uv;

@@ -1,9 +1,9 @@
-// The material as it is at one point: its factors times its textures and the vertices' color.
-// trace/texels.h says the same for the tracer.
+// The material at one point: its factors times its textures and vertex colors. trace/texels.h is
+// the tracer's counterpart.
 //
-// HAS_*: the scene has such a thing, and this program is for surfaces that may have it (a bit of
+// HAS_*: the scene has the feature, and this program is for surfaces that may use it (a bit of
 // material.textures says whether this one does). FROM_CAMERA: the textures' level of detail is that
-// of a camera ray; lights see the full size, in both renderers.
+// of a camera ray. Shadows read the full size, in both renderers.
 #include "texture_lookup.glsl"
 
 #if HAS_BASE_COLOR_TEXTURE
@@ -74,8 +74,8 @@ vec4 base_color() {
   return color;
 }
 
-// Alpha masks: where nothing is. A surface of one alpha is there as a whole or is not drawn at all,
-// and the driver may test depth before it shades.
+// Alpha cut-outs. A surface of constant alpha is visible as a whole or not drawn at all, so its
+// shader has no discard and the driver may test depth before shading.
 bool is_cut_out(vec4 color) {
 #if HAS_BASE_COLOR_TEXTURE || HAS_VERTEX_COLORS
   return color.a < material.alpha_cutoff;
@@ -121,7 +121,7 @@ float transmission() {
   return material.transmission;
 }
 
-// normal: the interpolated one, unit, outside.
+// normal: interpolated, unit, outward.
 vec3 bent_normal(vec3 normal) {
 #if HAS_NORMAL_TEXTURE
   if (!has_texture(kNormalSlot)) return normal;
@@ -130,7 +130,7 @@ vec3 bent_normal(vec3 normal) {
   float flat_length = length(flat_along);
   if (!(flat_length > kMinTangentShare * length(along))) return normal;
   vec3 x = flat_along / flat_length;
-  // Mirroring turns the normal outside again, and with it the cross product round.
+  // A mirroring transform keeps the normal outward, which reverses the cross product.
   float mirrored = normal_from_mesh[3][3] < 0.0 ? -1.0 : 1.0;
   vec3 y = cross(normal, x) * (mesh_tangent.w < 0.0 ? -mirrored : mirrored);
   vec3 texel = 2.0 * sample_slot(normal_texture, kNormalSlot, false).xyz - 1.0;

@@ -1,4 +1,4 @@
-// Normals at a fragment, in the world frame, both on the outer side of the surface.
+// Normals at a fragment, in the world frame, both outward.
 
 struct Normals {
   vec3 geometric;  // unit, of the triangle

@@ -1,9 +1,9 @@
-// Trilinear look-ups as scene/texture_lookup.cpp has them.
+// Trilinear look-ups, equal to scene/texture_lookup.cpp.
 //
-// Texels are fetched as bytes, decoded by the table that the CPU uses and mixed here, because the
-// drivers' samplers mix with 8-bit weights (llvmpipe, most GPUs) or decode by an approximation, and
-// the tracer would then see other colors than the rasteriser. The level of detail is the tracer's
-// too, from ray cones; a driver's derivatives are another one.
+// Texels are fetched as bytes, decoded by the CPU's table and interpolated here. Drivers' samplers
+// interpolate with 8-bit weights (llvmpipe, most GPUs) or decode approximately, so tracer and
+// rasteriser would get different colors. The level of detail comes from ray cones, as in the
+// tracer, and not from the driver's derivatives.
 
 float decode_texel(uint byte, bool is_color) {
   return is_color ? srgb_table[byte >> 2][byte & 3u] : float(byte) / 255.0;
@@ -23,15 +23,16 @@ vec4 decoded_texel(usampler2D map, ivec2 at, bool is_color) {
               decode_texel(texel.b, is_color), float(texel.a) / 255.0);
 }
 
-// Rows of the levels 1 to `last`, of heights max(h / 2^k, 1). Legendre: the sum of floor(h / 2^k) over
-// all k >= 1 is h minus its number of bits. Not a loop: with one in every look-up, llvmpipe's
-// compiler needs longer than anyone waits.
+// Rows of the levels 1 to `last`, of heights max(h / 2^k, 1). Legendre: the sum of floor(h / 2^k)
+// over all k >= 1 is h minus its number of 1 bits. Not a loop, because llvmpipe's compiler takes
+// far too long with one in every look-up.
 int rows_down_to(int last, int h) {
   int rest = h >> last;
   return h - bitCount(h) - (rest - bitCount(rest)) + max(last - findMSB(h), 0);
 }
 
-// Where a level is, and its size: the full one at the left, the others below each other at its right.
+// Samples one level of the atlas: the full size at the left, the others below each other at its
+// right.
 vec4 sample_level(usampler2D map, ivec2 full, vec2 uv, uvec2 wrap, int level, bool is_color) {
   ivec2 at = level == 0 ? ivec2(0) : ivec2(full.x, rows_down_to(level - 1, full.y));
   ivec2 size = max(full >> level, 1);
@@ -49,7 +50,7 @@ vec4 sample_level(usampler2D map, ivec2 full, vec2 uv, uvec2 wrap, int level, bo
                  decoded_texel(map, ivec2(x1, y1), is_color), f.x), f.y);
 }
 
-// full: size of level 0. footprint: area in uv that the sample covers.
+// full: size of level 0. footprint: area of the sample in uv.
 vec4 sample_map(usampler2D map, ivec2 full, vec2 uv, uvec2 wrap, float footprint, bool is_color) {
   bool has_mips = textureSize(map, 0).x > full.x;
   float texels = footprint * (float(full.x) * float(full.y));

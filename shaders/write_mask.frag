@@ -1,5 +1,5 @@
 #version 450 core
-// What kind of surface a sample sees: M_v and M_r.
+// The kind of surface that a sample sees: M_v and M_r.
 #include "interface.glsl"
 #include "surface_inputs.glsl"
 #include "surface_material.glsl"

@@ -1,4 +1,4 @@
-// Which program this is: its version, and the processors that it was compiled for.
+// The program's version and the processors that it was compiled for.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@ namespace amalgam::common {
 // "0.1.0", of the project.
 const char* version();
 
-// "x86-64", "x86-64-v2", "-v3" or "-v4", by what the compiler was allowed to use; "other"
-// elsewhere.
+// "x86-64", "x86-64-v2", "-v3" or "-v4", by the instructions that the compiler may use; "other" on
+// other processors.
 const char* instruction_set();
 
 // For --version: "amalgam-server 0.1.0, compiled for x86-64".

@@ -1,4 +1,4 @@
-// The pinhole camera with OpenCV's lens distortion: which pixel sees which direction, and back.
+// The pinhole camera with OpenCV's lens distortion: maps directions to pixels and back.
 //
 // Camera frame: x right, y down, z forward. Pixel coordinates: (0, 0) is the *centre* of the top
 // left pixel. Distortion is the Brown-Conrady model with rational and thin-prism terms,
@@ -27,15 +27,13 @@ struct CameraModel {
 // A guess for an unknown camera: 60 degrees wide, square pixels, no distortion.
 CameraModel default_camera(int width, int height);
 
-// An empty string if the model can be rendered with, otherwise what is wrong with it: sides not in
-// 1..8192, focal lengths not finite or not in [1, 1e6], a principal point further than ten image
-// sides away, non-finite coefficients, or a distortion that folds back inside the image (not
-// invertible).
+// An empty string if the model can be rendered with, otherwise its defect: sides not in 1..8192,
+// focal lengths not finite or not in [1, 1e6], a principal point further than ten image sides away,
+// non-finite coefficients, or a distortion that folds back inside the image (not invertible).
 std::string describe_defect(const CameraModel& camera);
 
-// Ideal normalised coordinates (x/z, y/z) to distorted ones, and back. undistort() iterates
-// Newton's method and gives nothing if that does not converge to 1e-9 or lands on the far side of a
-// fold.
+// Ideal normalised coordinates (x/z, y/z) to distorted ones, and back. undistort() uses Newton's
+// method and gives nothing if it does not converge to 1e-9 or ends on the far side of a fold.
 glm::dvec2 distort(const CameraModel& camera, const glm::dvec2& ideal);
 std::optional<glm::dvec2> undistort(const CameraModel& camera, const glm::dvec2& distorted);
 
@@ -47,9 +45,9 @@ std::optional<glm::dvec2> project(const CameraModel& camera, const glm::dvec3& p
 // The direction (z = 1, not normalised) that a pixel sees; nothing where undistort() gives nothing.
 std::optional<glm::dvec3> pixel_direction(const CameraModel& camera, const glm::dvec2& pixel);
 
-// The same camera without distortion, with margins so that it sees all that the distorted one sees.
-// Its principal point is moved with the margin; focal lengths are kept. The margin is capped so
-// that no side grows beyond twice its length: what lies further out is never drawn on.
+// The same camera without distortion, with margins so that it sees everything that the distorted
+// one sees. Focal lengths are kept; the principal point moves by the margin. No side grows beyond
+// twice its length: pixels of the camera further out are never drawn on.
 CameraModel ideal_camera_covering(const CameraModel& camera);
 
 }  // namespace amalgam::common

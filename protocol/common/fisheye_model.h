@@ -1,5 +1,5 @@
-// The equidistant fish-eye lens, with which a camera sees more than half of its surroundings: which
-// pixel sees which direction, and back.
+// The equidistant fish-eye lens, which may see more than a half-space: maps directions to pixels
+// and back.
 //
 // Fish-eye frame: x right, y down, z forward along the lens's axis. A direction at the angle t from
 // the axis is seen at the distance r = f t (radians) from the principal point [Miyamoto 1964].
@@ -18,19 +18,19 @@ struct FisheyeModel {
   int height = 0;             // pixels
   double fx = 0.0, fy = 0.0;  // pixels for each radian
   double cx = 0.0, cy = 0.0;  // principal point, pixels
-  double max_angle = 0.0;     // radians from the axis, to which the image shows anything
+  double max_angle = 0.0;     // radians from the axis; the image shows nothing beyond
 
   bool operator==(const FisheyeModel&) const = default;
 };
 
-// An empty string if the model can be used, otherwise what is wrong with it: sides not in 1..8192,
-// focal lengths not finite or not in [1, 1e6], a principal point further than ten image sides away,
-// or a largest angle that is not above 0 and at most pi.
+// An empty string if the model can be used, otherwise its defect: sides not in 1..8192, focal
+// lengths not finite or not in [1, 1e6], a principal point further than ten image sides away, or a
+// max_angle not in (0, pi].
 std::string describe_defect(const FisheyeModel& fisheye);
 
 // The pixel that sees a direction (of any length) of the fish-eye frame; it may lie outside the
-// image. Nothing beyond max_angle, and for a direction that is 0 or not finite. Straight behind
-// (max_angle = pi) is seen by a whole circle, of which one point is given.
+// image. Nothing beyond max_angle, or for a direction that is 0 or not finite. The direction
+// straight behind (max_angle = pi) is a whole circle in the image; returns one point of it.
 std::optional<glm::dvec2> project(const FisheyeModel& fisheye, const glm::dvec3& direction);
 
 // The unit direction that a pixel sees; nothing beyond max_angle.

@@ -1,4 +1,4 @@
-// A network address as people write it, one grammar for all programs.
+// A network address as text, one grammar for all programs.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
-// One owner for a rectangle of pixels, whatever a pixel is.
+// Owns a rectangle of pixels of any type.
 //
-// Row 0 is the top of the picture and column 0 its left, as in a camera image; a pixel's centre has
+// Row 0 is the top of the picture and column 0 its left, as in a camera image. A pixel's centre has
 // integer coordinates (OpenCV's convention), so a picture covers [-0.5, width - 0.5] x [-0.5,
 // height - 0.5].
 #pragma once
@@ -18,8 +18,8 @@ namespace amalgam::common {
 using Rgb8 = glm::u8vec3;
 using Rgba8 = glm::u8vec4;
 
-// Throws std::invalid_argument if a side is negative or the product does not fit in memory terms
-// (more than 2^28 pixels); returns the number of pixels.
+// The number of pixels. Throws std::invalid_argument if a side is negative or the number exceeds
+// 2^28.
 std::size_t checked_pixel_count(int width, int height);
 
 template <typename Pixel>

@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "common/check_context.h"
+
 namespace amalgam::common {
 namespace {
 
@@ -43,7 +45,11 @@ void log_error(const std::string& message) {
 }
 
 void check_failed(const char* condition, const char* file, int line, const std::string& values) {
+  // Printed first, in case making the context fails too.
   logger().critical("CHECK failed: {} at {}:{}: {}", condition, file, line, values);
+  logger().flush();
+  const std::string context = CheckContext::describe_all();
+  if (!context.empty()) logger().critical("while\n{}", context);
   logger().flush();
   std::abort();
 }

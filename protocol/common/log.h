@@ -1,4 +1,4 @@
-// Logging for the whole server: lines go to standard error, with a level that is set once at start.
+// Logging to standard error, with a level that is set once at start.
 #pragma once
 
 #include <string>
@@ -14,13 +14,14 @@ void log_info(const std::string& message);
 void log_warn(const std::string& message);
 void log_error(const std::string& message);
 
-// For a broken promise of our own: prints what was expected and the values, then aborts.
+// For a broken invariant: prints the condition, the values and the contexts of the thread
+// (common/check_context.h), then aborts. While a frame is rendered, that says how to replay it.
 [[noreturn]] void check_failed(const char* condition, const char* file, int line,
                                const std::string& values);
 
 }  // namespace amalgam::common
 
-// AMALGAM_CHECK(condition, values): values is a std::string made only when the check fails.
+// AMALGAM_CHECK(condition, values): values is a std::string, evaluated only if the check fails.
 #define AMALGAM_CHECK(condition, values)                                         \
   do {                                                                           \
     if (!(condition)) {                                                          \

@@ -1,5 +1,5 @@
-// A place for one message between two threads, where the newest wins: putting a second one throws
-// the first away and says so, because a mixed-reality viewer wants the present and not a queue.
+// Holds one message between two threads; the newest wins. A second message replaces the first,
+// because a mixed-reality viewer wants the present and not a queue.
 #pragma once
 
 #include <mutex>
@@ -11,7 +11,7 @@ namespace amalgam::common {
 template <typename T>
 class Mailbox {
  public:
-  // Returns the message that was waiting and will now never be taken, if any.
+  // Returns the replaced message, if any, which will never be taken.
   std::optional<T> put(T message) {
     const std::lock_guard lock(mutex_);
     return std::exchange(waiting_, std::optional<T>(std::move(message)));

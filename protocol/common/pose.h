@@ -1,4 +1,4 @@
-// Rigid poses of markers, as they come from a tracker and go over the wire.
+// Rigid poses of markers, from a tracker and over the wire.
 #pragma once
 
 #include <glm/gtc/quaternion.hpp>
@@ -17,7 +17,7 @@ struct MarkerPose {
 };
 
 // A pose is usable if it is finite, its quaternion has a length within 1e-3 of 1 (numerics B22) and
-// its marker lies within 1000 m.
+// no coordinate of its translation exceeds 1000 m.
 bool is_usable(const MarkerPose& pose);
 
 // The rigid transform camera_from_marker of a usable pose (quaternion normalised here).
@@ -27,8 +27,8 @@ glm::dmat4 to_matrix(const MarkerPose& pose);
 // matrices.
 glm::dmat4 rigid_inverse(const glm::dmat4& rigid);
 
-// The frame that glTF content stands in on a marker: origin at its centre, +Y out of the paper, +X
-// along its right. opencv_marker_from_gltf maps (x, y, z) to (x, -z, y).
+// From glTF's frame on a marker (origin at its centre, +Y out of the paper, +X along its right) to
+// OpenCV's marker frame: maps (x, y, z) to (x, -z, y).
 glm::dmat4 opencv_marker_from_gltf();
 
 }  // namespace amalgam::common

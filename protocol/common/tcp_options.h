@@ -1,5 +1,5 @@
-// Kernel options of both ends of a connection: small messages leave at once, a vanished peer is
-// noticed, and the kernel does not hoard frames that newest-wins could still replace.
+// TCP options of both ends of a connection: small messages leave at once, a vanished peer is
+// noticed, and the kernel does not buffer frames that newest-wins could still replace.
 #pragma once
 
 #include <chrono>
@@ -7,11 +7,11 @@
 namespace amalgam::common {
 
 struct TcpOptions {
-  std::chrono::milliseconds user_timeout{0};  // without an acknowledgement for so long: broken
-  int unsent_bytes = 0;                       // that the kernel may hold
+  std::chrono::milliseconds user_timeout{0};  // without an acknowledgement for this long: broken
+  int unsent_bytes = 0;                       // unsent bytes that the kernel may buffer
 };
 
-// Best effort: a kernel without one of them still serves. socket: a file descriptor.
+// Best effort: ignores options that the kernel lacks. socket: a file descriptor.
 void set_tcp_options(int socket, const TcpOptions& options);
 
 }  // namespace amalgam::common

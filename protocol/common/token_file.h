@@ -1,4 +1,4 @@
-// The shared secret that admits clients, as both sides keep it: in a file.
+// Reads the shared secret that admits clients from its file, on both sides.
 #pragma once
 
 #include <cstddef>

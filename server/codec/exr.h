@@ -23,13 +23,13 @@ constexpr int kMaxExrSide = 16384;                             // pixels
 constexpr std::int64_t kMaxExrPixels = std::int64_t{1} << 26;  // 64 Mpixel
 constexpr std::uintmax_t kMaxExrBytes = std::uintmax_t{512} << 20;
 
-// A file's channels, by name, as floats: half and float pixels, scan lines or tiles (level 0 of a
-// mip-mapped file), the first part of several. The image covers the data window, its top left pixel
-// at (0, 0). Values are as in the file: NaN, infinity and negative ones included. Throws ExrError
-// for what is missing, damaged, deep, sub-sampled or larger than the limits.
+// A file's channels, by name, as floats. Reads half and float pixels, scan lines or tiles (level 0
+// of a mip-mapped file), and the first of several parts. The image covers the data window, whose
+// top left pixel becomes (0, 0). Values are unchanged, NaN, infinity and negative ones included.
+// Throws ExrError if the file is missing, damaged, deep, sub-sampled or larger than the limits.
 std::map<std::string, common::Image32f> read_exr_channels(const std::filesystem::path& path);
 
-// R, G and B of a file; a file with only Y gives that in all three, a missing one of R, G, B is 0.
+// R, G and B of a file. A file with only Y gives Y in all three; a missing channel is 0.
 common::ImageRgb32f read_exr(const std::filesystem::path& path);
 
 // As 32-bit floats, ZIP-compressed. All channels must have one size. Throws ExrError.

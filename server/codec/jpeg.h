@@ -1,9 +1,8 @@
-// Camera frames and composites as JPEG. libturbojpeg decodes, libjpeg (codec/libjpeg.h) encodes:
-// both are the same library's code, but only libjpeg's interface gives restart markers.
+// Camera frames and composites as JPEG. libturbojpeg decodes and libjpeg (codec/libjpeg.h) encodes.
+// Both are the same library, but only libjpeg's interface gives restart markers.
 //
-// Bytes come from strangers, so the header is judged by our own bounded reading of the markers
-// before the library sees anything, and a picture is either decoded without a single warning or
-// refused.
+// Bytes come from strangers. So our own bounded parser checks the header before the library sees
+// anything, and a picture is either decoded without a single warning or refused.
 #pragma once
 
 #include <cstddef>
@@ -29,19 +28,19 @@ struct JpegHeader {
   JpegSubsampling subsampling = JpegSubsampling::Yuv420;
 };
 
-constexpr int kMaxJpegSide = 2048;           // pixels: what a camera frame may have at most
+constexpr int kMaxJpegSide = 2048;           // pixels
 constexpr int kMaxJpegPixels = 2048 * 2048;  // 4 Mpixel
 
-// Reads up to the end of the last scan's header without decoding anything and in time linear in the
-// number of bytes. Throws JpegError unless this is one sequential Huffman-coded 8-bit picture, grey
-// or of three components in one of the four subsamplings above, within the size limits, with no
-// more scans than components. Refused by name: progressive, lossless, hierarchical, arithmetic,
-// 12-bit, CMYK.
+// Reads up to the end of the last scan's header, decoding nothing, in time linear in the number of
+// bytes. Throws JpegError unless this is one sequential Huffman-coded 8-bit picture, grey or of
+// three components in one of the four subsamplings above, within the size limits, with no more
+// scans than components. Errors name what is refused: progressive, lossless, hierarchical,
+// arithmetic, 12-bit, CMYK.
 JpegHeader read_jpeg_header(std::span<const std::byte> jpeg);
 
 // Decodes to sRGB-encoded bytes; grey becomes equal channels. Throws JpegError as
-// read_jpeg_header() does, and at the library's first warning (cut or damaged data): a broken
-// picture is never shown, and no pixel that an earlier picture left in memory can be.
+// read_jpeg_header() does, and at the library's first warning (truncated or damaged data). So no
+// broken picture is shown, and no pixels that an earlier picture left in memory.
 common::ImageRgb8 decode_jpeg(std::span<const std::byte> jpeg);
 
 // Quality 1 .. 100. Chroma is halved in both directions (4:2:0) below quality 95 and kept (4:4:4)

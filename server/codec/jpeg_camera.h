@@ -1,4 +1,4 @@
-// What JpegCoefficients holds; for the sources of this folder only.
+// The contents of JpegCoefficients. For this folder only.
 #pragma once
 
 #include <memory>

@@ -7,7 +7,7 @@
 namespace amalgam::codec {
 namespace {
 
-// What the encoder's tables must hold and its divisions can bear: libjpeg checks neither.
+// Whether the encoder can use the quantisation table. libjpeg checks neither bound.
 bool encodable(const JQUANT_TBL* table) {
   return table != nullptr && std::all_of(std::begin(table->quantval), std::end(table->quantval),
                                          [](UINT16 step) { return step >= 1 && step <= 255; });

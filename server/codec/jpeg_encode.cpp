@@ -49,7 +49,7 @@ std::vector<std::byte> encode_band(const common::ImageRgb8& image, int first_row
 }  // namespace
 
 std::vector<std::byte> encode_jpeg(const common::ImageRgb8& image, int quality) {
-  constexpr int kFullChromaQuality = 95;  // who asks for this much can see halved chroma
+  constexpr int kFullChromaQuality = 95;  // from here on halved chroma would be visible
   constexpr int kBandRows = 64;           // pixels; some 0.2 ms of work at 1280 pixels a row
   if (image.empty()) throw JpegError("an empty image cannot be encoded");
   if (image.width() > JPEG_MAX_DIMENSION || image.height() > JPEG_MAX_DIMENSION) {

@@ -128,7 +128,8 @@ Frame read_frame(ByteReader& reader, int code) {
   if (width < 1 || height < 1 || width > kMaxJpegSide || height > kMaxJpegSide ||
       width * height > kMaxJpegPixels) {
     throw JpegError("JPEG size " + std::to_string(width) + "x" + std::to_string(height) +
-                    " is not within 1x1 and 2048x2048");
+                    " is not within 1x1 and " + std::to_string(kMaxJpegSide) + "x" +
+                    std::to_string(kMaxJpegSide));
   }
   if (frame.components == 4) throw JpegError("CMYK JPEG is not accepted, only grey and YCbCr");
   if (frame.components != 1 && frame.components != 3) {

@@ -6,12 +6,12 @@
 namespace amalgam::codec {
 namespace {
 
-// Shorter segments are replaced more precisely, but each costs some 5 bytes. The shortest of at
-// least so many pixels that fits the picture without rest is taken.
+// Pixels. Shorter segments are replaced more precisely, but each costs some 5 bytes. The shortest
+// one that is at least this long and divides the picture evenly is taken.
 constexpr int kLeastSegmentWidth = 96;
 
-// Copies an MCU's pixels; beyond the picture's right and bottom border its last ones go on, as in
-// any encoder.
+// Copies an MCU's pixels. Beyond the picture's right and bottom border its last pixels are
+// repeated, as in any encoder.
 void copy_mcu(const common::ImageRgb8& from, const McuGrid& grid, int index, common::ImageRgb8& to,
               int to_x) {
   const glm::ivec2 begin = grid.begin(index);
@@ -29,7 +29,7 @@ void copy_mcu(const common::ImageRgb8& from, const McuGrid& grid, int index, com
 McuGrid::McuGrid(const jpeg_decompress_struct& info)
     : picture(static_cast<int>(info.image_width), static_cast<int>(info.image_height)) {
   if (info.num_components == 1) {
-    // A component alone is coded block by block, whatever its sampling factors say.
+    // A single component is coded block by block, whatever its sampling factors.
     blocks[0] = {1, 1};
     size = {DCTSIZE, DCTSIZE};
   } else {

@@ -1,4 +1,4 @@
-// How a JPEG is divided: pixels into MCUs, MCUs into the segments that patching replaces.
+// The division of a JPEG: pixels into MCUs, MCUs into the segments that patching replaces.
 #pragma once
 
 #include <array>
@@ -12,15 +12,14 @@
 
 namespace amalgam::codec {
 
-// MCUs are numbered row by row from the top left one, segments are so many MCUs in that order.
+// MCUs are numbered row by row from the top left. A segment is `segment` consecutive MCUs.
 struct McuGrid {
   explicit McuGrid(const jpeg_decompress_struct& info);
 
   int count() const { return across * down; }
   int segments() const { return count() / segment; }
 
-  // Of MCU number index: its column and row; its first pixel; the pixel after its last one inside
-  // the picture.
+  // Of an MCU: its column and row; its first pixel; one past its last pixel inside the picture.
   glm::ivec2 place(int index) const { return {index % across, index / across}; }
   glm::ivec2 begin(int index) const { return place(index) * size; }
   glm::ivec2 end(int index) const { return glm::min(begin(index) + size, picture); }
@@ -33,14 +32,14 @@ struct McuGrid {
   int segment = 0;                     // MCUs, divides count()
 };
 
-// Encodes some segments of the picture below each other: a file that is one segment wide, with a
-// restart marker after each, and with the quantisation tables and the sampling of the camera's.
+// Encodes the given segments of the picture below each other, as a file that is one segment wide.
+// It has a restart marker after each segment, and the camera's quantisation tables and sampling.
 std::vector<std::byte> encode_segments(jpeg_decompress_struct& camera, const McuGrid& grid,
                                        const common::ImageRgb8& picture,
                                        std::span<const int> segments);
 
-// Huffman-codes all there is in the reader, with the standard tables and a restart marker after
-// each interval MCUs. Color profiles go with it.
+// Huffman-codes all of the reader's coefficients, with the standard tables and a restart marker
+// after each `interval` MCUs. Keeps color profiles.
 std::vector<std::byte> write_coefficients(CoefficientReader& from, int interval);
 
 }  // namespace amalgam::codec

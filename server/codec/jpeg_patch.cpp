@@ -11,15 +11,15 @@
 #include "common/log.h"
 
 // The camera's file was cut into segments of a few MCUs when it was read. Segments without a
-// touched MCU are taken as they are; those with touched ones only are encoded from the composite;
-// in those with both, the coefficients of the untouched ones are put back. An MCU's coefficients
-// depend on its own pixels only (chroma is halved by averages that do not reach beyond it), so that
-// it does not matter what lies beside it when it is encoded.
+// touched MCU are copied. The others are encoded from the composite; if they also have untouched
+// MCUs, those get the camera's coefficients back. An MCU's coefficients depend on its own pixels
+// only (chroma is halved by averages within it), so its neighbours do not matter when it is
+// encoded.
 
 namespace amalgam::codec {
 namespace {
 
-// A flag for each MCU: whether any flagged tile reaches into it.
+// A flag for each MCU: whether it overlaps a flagged tile.
 std::vector<bool> touched_mcus(const McuGrid& grid, std::span<const std::uint8_t> tiles) {
   const int tiles_across = (grid.picture.x + kPatchTile - 1) / kPatchTile;
   std::vector<bool> touched(static_cast<std::size_t>(grid.count()));
@@ -42,7 +42,7 @@ struct Job {
 };
 
 std::vector<Job> make_jobs(const McuGrid& grid, const std::vector<bool>& touched) {
-  constexpr std::size_t kJobSegments = 48;  // enough that making an encoder does not count
+  constexpr std::size_t kJobSegments = 48;  // enough to make the cost of an encoder negligible
   std::vector<Job> jobs;
   std::array<Job, 2> open{Job{false, {}}, Job{true, {}}};
   for (int i = 0; i < grid.segments(); ++i) {

@@ -1,17 +1,16 @@
-// Encodes only what changed: a composite as the camera's own JPEG with some of its blocks replaced.
+// Encodes a composite as a patch: the camera's own JPEG with the changed blocks replaced.
 //
 // A JPEG is a grid of MCUs (minimum coded units: 16x16 pixels for 4:2:0, 16x8 for 4:2:2, 8x8 for
-// 4:4:4 and grey), each some blocks of quantised DCT coefficients. Patching copies the coefficients
-// of every MCU that holds no changed pixel, bit for bit, and encodes the others from the composite
-// with the camera's quantisation tables, so that an untouched pixel does not lose a second time
-// what it lost when the camera's picture was encoded.
+// 4:4:4 and grey), each a few blocks of quantised DCT coefficients. Patching copies the
+// coefficients of every MCU without a changed pixel, bit for bit. It encodes the others from the
+// composite with the camera's quantisation tables. So an untouched pixel is not quantised twice.
 //
-// Bit-equal coefficients are bit-equal pixels, with one exception: decoders smooth the halved
-// chroma of 4:2:0 and 4:2:2 across the borders of MCUs ("fancy upsampling"), so that the outermost
-// pixels of an untouched MCU beside a touched one may change a little when shown.
+// Bit-equal coefficients give bit-equal pixels, with one exception. Decoders smooth the halved
+// chroma of 4:2:0 and 4:2:2 across the borders of MCUs ("fancy upsampling"), so the outermost
+// pixels of an untouched MCU beside a touched one may change a little when decoded.
 //
-// Two halves, because the first needs only the camera's bytes and can run on another thread while
-// the frame is rendered:
+// In two steps. The first needs only the camera's bytes and can run on another thread while the
+// frame is rendered:
 //
 //   std::optional<JpegCoefficients> camera = JpegCoefficients::read(jpeg);    // early, anywhere
 //   ...
@@ -34,9 +33,9 @@ namespace amalgam::codec {
 
 struct CameraJpeg;
 
-// A camera JPEG's coefficients, and its Huffman code written anew so that it can be cut; the bytes
-// it came from are not needed any more. 2 bytes for each sample, 24 MiB at the limits of
-// read_jpeg_header(), and about as much as the file.
+// A camera JPEG's coefficients, and its Huffman code rewritten so that it can be cut. Does not
+// refer to the original bytes. Takes 2 bytes a sample (24 MiB at the limits of read_jpeg_header())
+// plus about the size of the file.
 class JpegCoefficients {
  public:
   // Throws JpegError for what decode_jpeg() refuses, at the first warning too. Empty where the
@@ -67,18 +66,18 @@ constexpr int kPatchTile = 16;  // pixels a side
 
 // composite: sRGB-encoded, of the camera's size (checked). tiles: a flag for each tile of
 // kPatchTile x kPatchTile pixels, row by row, ceil(width / kPatchTile) in a row; not 0 where a
-// pixel changed. Every MCU that a flagged tile reaches into is encoded from the composite, the
-// others are the camera's. Takes time in proportion to what changed, on all cores of the caller's
-// TBB arena; the bytes do not depend on their number.
+// pixel changed. Every MCU that overlaps a flagged tile is encoded from the composite; the others
+// are the camera's. Takes time in proportion to the changed area, on all cores of the caller's TBB
+// arena; the bytes do not depend on their number.
 //
-// Empty if a touched MCU of the composite is colored and the camera's picture is grey.
+// Empty if the camera's picture is grey and a touched MCU of the composite is colored.
 //
-// The result is baseline, of one scan, with a restart marker after each 96 pixels or a little more
-// (about 1 % of the bytes): what changed can so be replaced without coding the rest again. An ICC
-// profile is kept and a JFIF header is written (it says YCbCr, as an Adobe marker would); EXIF,
-// comments and everything else are left out, as encode_jpeg() does. Huffman tables are the standard
-// ones: the file's own may lack codes that new coefficients need, and the best ones are known only
-// after a second pass over everything.
+// The result is baseline, one scan, with a restart marker after each 96 pixels or a little more
+// (about 1 % of the bytes), so that segments can be replaced without coding the rest again. An ICC
+// profile is kept and a JFIF header is written (it says YCbCr, as an Adobe marker would). EXIF,
+// comments and everything else are left out, as in encode_jpeg(). Huffman tables are the standard
+// ones: the file's own may lack codes that new coefficients need, and optimal ones need a second
+// pass over everything.
 std::optional<std::vector<std::byte>> patch_jpeg(JpegCoefficients camera,
                                                  const common::ImageRgb8& composite,
                                                  std::span<const std::uint8_t> tiles);

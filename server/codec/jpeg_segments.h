@@ -1,7 +1,7 @@
-// A JPEG cut at its restart markers, and put together again from pieces of several.
+// Cuts a JPEG at its restart markers, and joins segments of several files to one.
 //
-// From one restart marker to the next the Huffman code depends on nothing before it, so that
-// segments of files with the same tables can stand side by side.
+// The Huffman code between two restart markers does not depend on anything before it. So segments
+// of files with the same tables can be mixed.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ using JpegSegment = std::span<const std::byte>;
 
 class SegmentedJpeg {
  public:
-  // file: of one scan, written by ourselves.
+  // file: of one scan, written by this library.
   explicit SegmentedJpeg(std::vector<std::byte> file);
 
   // Everything up to the end of the scan's header.
@@ -24,10 +24,10 @@ class SegmentedJpeg {
 
  private:
   std::vector<std::byte> file_;
-  std::vector<std::size_t> begins_;  // of the segments, and of what would be the next
+  std::vector<std::size_t> begins_;  // of the segments, and one past the last
 };
 
-// A file of this head and these segments, with restart markers between them and an end marker.
+// A file of the head and the segments, with restart markers between them and an end marker.
 std::vector<std::byte> join_segments(std::span<const std::byte> head,
                                      std::span<const JpegSegment> segments);
 

@@ -10,7 +10,7 @@ namespace {
 constexpr int kColorProfile = JPEG_APP0 + 2;  // ICC profiles lie in APP2
 constexpr unsigned kWholeSegment = 0xFFFF;
 
-// Doubles what there is. Exceptions must not pass through libjpeg.
+// Doubles the buffer. Exceptions must not pass through libjpeg.
 bool doubled(std::vector<std::byte>& bytes) noexcept {
   try {
     bytes.resize(2 * bytes.size());

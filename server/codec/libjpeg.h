@@ -1,8 +1,8 @@
-// libjpeg's coefficient interface made safe for C++: for the sources of this folder only.
+// libjpeg's coefficient interface, made safe for C++. For this folder only.
 //
-// libjpeg reports errors by a function that must not return. Throwing through C code is not
-// defined, so that function jumps (longjmp) to the innermost guard(), which throws. A jump runs no
-// destructors: what stands inside guard() must not own anything.
+// libjpeg reports errors through a function that must not return. Throwing through C code is
+// undefined, so that function jumps (longjmp) to the innermost guard(), which throws. The jump runs
+// no destructors: code inside guard() must not own anything.
 #pragma once
 
 #include <cstdio>
@@ -20,7 +20,7 @@
 
 namespace amalgam::codec {
 
-// What libjpeg calls when something is wrong. Warnings (damaged data) count as errors.
+// libjpeg's error handler. Warnings (damaged data) count as errors.
 class LibjpegErrors {
  public:
   LibjpegErrors();
@@ -50,8 +50,8 @@ class LibjpegErrors {
   Hooks hooks_{};
 };
 
-// A JPEG's quantised DCT coefficients in memory: the Huffman coding undone, nothing else. The bytes
-// are not needed any more once it is constructed.
+// A JPEG's quantised DCT coefficients in memory: Huffman-decoded, nothing else. Does not refer to
+// the bytes once it is constructed.
 class CoefficientReader {
  public:
   // Reads to the end. jpeg: has passed read_jpeg_header(). Throws JpegError, at the first warning
@@ -75,16 +75,16 @@ class CoefficientReader {
   jvirt_barray_ptr* arrays_ = nullptr;
 };
 
-// Rows of blocks of one component, up to its v_samp_factor of them; blocks are there up to whole
-// MCUs. Errors go to user, which need not be who made the array: call it inside user's guard().
-// Without writable, several threads may read one array once all of it has been written.
+// Rows of blocks of one component, at most v_samp_factor of them, padded to whole MCUs. Errors go
+// to user, which need not have made the array: call this inside user's guard(). Without writable,
+// several threads may read an array that has been written completely.
 JBLOCKARRAY block_rows(jpeg_decompress_struct& user, jvirt_barray_ptr array, int first, int count,
                        bool writable);
 
 // A compressor that writes into memory.
 class MemoryCompressor {
  public:
-  // expected: bytes the result will probably have; it may have more.
+  // expected: estimated bytes of the result; only a hint.
   explicit MemoryCompressor(std::size_t expected);
   ~MemoryCompressor();
   MemoryCompressor(const MemoryCompressor&) = delete;

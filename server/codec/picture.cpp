@@ -16,6 +16,8 @@
 #include <stb/stb_image.h>
 
 namespace amalgam::codec {
+
+static_assert(STBI_MAX_DIMENSIONS == kMaxPictureSide);
 namespace {
 
 struct PixelCloser {
@@ -46,7 +48,8 @@ glm::ivec2 checked_size(const Input& input) {
   if (width < 1 || height < 1 || width > kMaxPictureSide || height > kMaxPictureSide ||
       width > kMaxPicturePixels / height) {
     throw PictureError("picture size " + std::to_string(width) + "x" + std::to_string(height) +
-                       " is outside the limits (8192 a side, 32 Mpixel)");
+                       " is outside the limits (" + std::to_string(kMaxPictureSide) + " a side, " +
+                       std::to_string(kMaxPicturePixels >> 20) + " Mpixel)");
   }
   return {width, height};
 }
@@ -59,7 +62,7 @@ bool begins_with(std::span<const std::byte> bytes, std::span<const unsigned char
 constexpr std::array<unsigned char, 8> kPngSignature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
 constexpr std::array<unsigned char, 3> kJpegSignature{0xFF, 0xD8, 0xFF};
 
-// stb_image stops at the end of the pixels and does not miss the end of the file.
+// stb_image stops after the last pixel and does not notice a truncated file.
 bool has_png_end(std::span<const std::byte> bytes) {
   std::size_t at = kPngSignature.size();
   while (bytes.size() - at >= 12) {  // length, type, check sum

@@ -1,5 +1,5 @@
-// Pictures that come with scenes: PNG and JPEG textures, Radiance (.hdr) environment maps. The only
-// user of stb_image. Unlike camera frames (codec/jpeg.h) these come from the operator.
+// Pictures of scenes: PNG and JPEG textures, Radiance (.hdr) environment maps. The only user of
+// stb_image. Unlike camera frames (codec/jpeg.h) they come from the operator.
 #pragma once
 
 #include <cstddef>
@@ -18,11 +18,11 @@ class PictureError : public std::runtime_error {
 constexpr int kMaxPictureSide = 8192;                // pixels
 constexpr int kMaxPicturePixels = 32 * 1024 * 1024;  // 32 Mpixel
 
-// The bytes begin as a PNG or JPEG does.
+// Whether the bytes begin like a PNG or JPEG.
 bool is_picture(std::span<const std::byte> encoded);
 
-// Throws PictureError unless the bytes begin as a PNG or JPEG within the limits and, for a PNG, go
-// on to its end.
+// Throws PictureError unless the bytes begin like a PNG or JPEG within the limits and, for a PNG,
+// are complete.
 void check_picture(std::span<const std::byte> encoded);
 
 // PNG or JPEG (progressive too) to sRGB-encoded bytes with linear alpha, 255 where the file has

@@ -39,9 +39,8 @@ std::optional<double> smaller(std::optional<double> a, std::optional<double> b) 
   return std::min(*a, *b);
 }
 
-// Of the group and of all that it is in. In a container the path may be one of the host's that
-// cannot be seen from inside, where the container's own group is mounted as the root: what is not
-// there has no quota.
+// Of the group and its ancestors. In a container the path may be the host's, while the container's
+// own group is mounted as the root. A group that is not found has no quota.
 std::optional<double> quota_along(const fs::path& root, const fs::path& group) {
   std::optional<double> quota = quota_of(root);
   fs::path folder = root;

@@ -1,6 +1,6 @@
-// How many cores this process may use, which may be fewer than the machine has: the scheduler's
-// affinity (taskset, cpusets) and CPU quotas of cgroups (containers, systemd) both lessen them.
-// Threads beyond that only take turns.
+// How many cores this process may use. The scheduler's affinity (taskset, cpusets) and the CPU
+// quotas of cgroups (containers, systemd) may leave fewer than the machine has. More threads than
+// that only take turns.
 #pragma once
 
 #include <filesystem>
@@ -12,13 +12,14 @@ namespace amalgam::core {
 // At least 1. A quota of part of a core counts as a whole one.
 int usable_cpus();
 
-// The quota in cores (1.5: one and a half), the least of those of the process's cgroup and all
-// around it; nothing if there is none. cgroup_file: /proc/self/cgroup; mounts: where cgroups are
-// mounted, /sys/fs/cgroup. Version 2 (cpu.max) and version 1 (cpu.cfs_quota_us, cpu.cfs_period_us).
+// The CPU quota in cores (1.5: one and a half): the least of the process's cgroup and its
+// ancestors; nothing if there is none. cgroup_file: the text of /proc/self/cgroup. mounts: where
+// cgroups are mounted, /sys/fs/cgroup. Version 2 (cpu.max) and version 1 (cpu.cfs_quota_us,
+// cpu.cfs_period_us).
 std::optional<double> cgroup_cpu_quota(std::string_view cgroup_file,
                                        const std::filesystem::path& mounts);
 
-// A number of cores that holds the quota and is within [1, cpus].
+// The quota as a number of cores, clamped to [1, cpus].
 int cpus_within(int cpus, std::optional<double> quota);
 
 }  // namespace amalgam::core

@@ -1,13 +1,12 @@
-// The three layers of the composite, which merge by adding (eq. 4.1, 4.2) and go onto the camera
+// The three layers of the composite. Layers merge by adding (eq. 4.1, 4.2) and go onto the camera
 // image as
 //   I_f = A + (1 - a) I_c + D.
 //
-// Eq. 4.5 evaluated per sample in display-linear light and averaged over a pixel's samples; so a
-// pixel that a virtual object covers by half is half that object and half the camera image, without
-// a rim.
+// Eq. 4.5 is evaluated per sample in display-linear light and averaged over a pixel's samples. So a
+// pixel half covered by a virtual object is half object and half camera image, without a rim.
 //
-// Most of a picture shows nothing virtual. Layers are therefore sparse: only tiles in which there
-// may be something exist, and everywhere else all three layers are 0.
+// Most of a picture shows nothing virtual. Layers are therefore sparse: in tiles that do not exist
+// all three layers are 0.
 #pragma once
 
 #include <array>
@@ -25,9 +24,10 @@ namespace amalgam::core {
 // kTileSide x kTileSide pixels, row by row. Pixels beyond the picture stay 0.
 struct LayerTile {
   static constexpr std::size_t kPixels = std::size_t{kTileSide} * kTileSide;
-  std::array<glm::vec4, kPixels> over{};  // A = mean(M_v (TM(I_m) + I_e)), premultiplied; alpha:
-                                          // a = mean(M_v)
-  std::array<glm::vec3, kPixels> difference{};  // D = mean((1 - M_v) (TM(I_m) - TM(I_r))), signed
+  // rgb: A = mean(M_v (TM(I_m) + I_e)), premultiplied; alpha: a = mean(M_v).
+  std::array<glm::vec4, kPixels> over{};
+  // D = mean((1 - M_v) (TM(I_m) - TM(I_r))), signed.
+  std::array<glm::vec3, kPixels> difference{};
 
   static std::size_t index(int x, int y) {  // of a pixel of the picture
     return static_cast<std::size_t>(y % kTileSide) * kTileSide +
@@ -49,7 +49,7 @@ class Layers {
   const TileGrid& grid() const { return grid_; }
   glm::ivec2 size() const { return grid_.size(); }
 
-  // Null where nothing is.
+  // Null if the tile does not exist.
   LayerTile* find(std::size_t tile) { return tiles_[tile].get(); }
   const LayerTile* find(std::size_t tile) const { return tiles_[tile].get(); }
   // The tile, made and zero-filled if it did not exist. Different tiles may be made by different
@@ -62,7 +62,7 @@ class Layers {
   std::vector<std::size_t> present() const;  // tiles that exist, ascending
   bool is_zero() const;
 
-  // One pixel, for what looks at few of them.
+  // Access to single pixels; slow.
   glm::vec4 over(int x, int y) const;
   glm::vec3 difference(int x, int y) const;
   void set(int x, int y, const glm::vec4& over, const glm::vec3& difference);

@@ -1,6 +1,6 @@
-// Says so in one line, before anything else runs, if the program was compiled for another processor
-// than this one; it would end by an illegal instruction otherwise. Linked into each program of a
-// build with AMALGAM_ARCH, and compiled without it.
+// Ends the program with one line if it was compiled for another processor than this one. Otherwise
+// it would die of an illegal instruction. Linked into each program of a build with AMALGAM_ARCH,
+// but compiled without it.
 #include <errno.h>
 #include <unistd.h>
 

@@ -1,5 +1,4 @@
-// Where a pixel's light comes from: what makes the thesis's "missing information" (section 6.4) a
-// number.
+// Where a pixel's light comes from. It measures the thesis's "missing information" (section 6.4).
 #pragma once
 
 #include <array>
@@ -13,19 +12,19 @@ namespace amalgam::core {
 enum class LightSource : std::uint8_t {
   Raster,         // drawn by the rasteriser
   TracedVirtual,  // a virtual diffuse surface at the end of a ray
-  CameraLookup,   // the camera's own color of a real surface at the end of a ray, or under the
-                  // pixel
-  ModelledReal,   // a real surface as it is modelled: the camera does not see it
-  Environment,    // a ray that left the scene
-  CutOff,  // a ray ended by the depth limit or the importance cut-off: environment instead of what
-           // it would have met
+  // The camera's own color of a real surface at the end of a ray, or under the pixel.
+  CameraLookup,
+  ModelledReal,  // the modelled color of a real surface that the camera does not see
+  Environment,   // a ray that left the scene
+  // The environment, for a ray ended by the depth limit or the importance cut-off.
+  CutOff,
 };
 inline constexpr std::size_t kLightSources = 6;
 inline constexpr std::array<const char*, kLightSources> kLightSourceNames{
     "raster", "traced_virtual", "camera_lookup", "modelled_real", "environment", "cut_off"};
 
-// Shares by LightSource. A ray's share is the mean of its weight's channels, so that shares of a
-// sample sum to at most 1; what is missing was absorbed by colored mirrors and glass.
+// Shares by LightSource. A ray's share is the mean of its weight's channels. A sample's shares sum
+// to at most 1; colored mirrors and glass absorb the rest.
 using Provenance = std::array<float, kLightSources>;
 using ProvenanceImage = common::Image<Provenance>;  // means over the samples of each pixel
 

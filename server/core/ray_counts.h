@@ -1,4 +1,4 @@
-// How many rays of each kind a frame took: the machine-independent measure of what tracing costs.
+// Rays of a frame by kind: a machine-independent measure of the cost of tracing.
 #pragma once
 
 #include <cstdint>
@@ -8,11 +8,12 @@ namespace amalgam::core {
 struct RayCounts {
   std::uint64_t primary = 0;  // from the camera
   std::uint64_t reflection = 0;
-  std::uint64_t refraction = 0;  // passing straight through thin glass included
-  std::uint64_t shadow = 0;      // one for each light that may be shaded at a diffuse hit
-  std::uint64_t lookup = 0;      // from a real surface to the camera, where depth could not decide
+  std::uint64_t refraction = 0;  // including rays straight through thin glass
+  std::uint64_t shadow = 0;      // one for each light that may be occluded at a diffuse hit
+  // visibility rays from a real surface to the camera, where depth could not decide
+  std::uint64_t lookup = 0;
 
-  // Not cast, because nothing has moved since an earlier frame cast them; of all kinds above.
+  // Of all kinds above: not cast, because nothing has moved since an earlier frame cast them.
   std::uint64_t reused = 0;
 
   std::uint64_t cast() const { return primary + reflection + refraction + shadow + lookup; }

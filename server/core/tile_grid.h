@@ -1,4 +1,4 @@
-// Pictures as tiles: the unit in which work is left out, from the first pass to the composite.
+// The tiles of a picture: the unit in which work is left out, from the first pass to the composite.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Every buffer of one frame, for people who want to compare them with the thesis.
+// The buffers of one frame, for comparison with the thesis.
 #pragma once
 
 #include <filesystem>
@@ -10,20 +10,33 @@
 
 #include "common/image.h"
 
+namespace amalgam::graph {
+class FrameGraph;
+}
+namespace amalgam::passes {
+struct RenderView;
+}
+
 namespace amalgam::frame {
 
-// Named channels, for what is neither grey nor a color.
+struct FramePasses;
+
+// Named channels, for a buffer that is neither grey nor a color.
 using Channels = std::vector<std::pair<std::string, common::Image32f>>;
 using BufferImage =
     std::variant<common::Image32f, common::ImageRgb32f, common::ImageRgba32f, Channels>;
 
 // By name: mixed (I_m), real (I_r), environment_reflection (I_e), virtual_mask (M_v), tracing_mask
-// (M_r), real_depth, provenance (a channel a source, core/provenance.h), and the layers over (A
-// with a) and difference (D). One sample a pixel, ideal camera geometry. What the frame did not
-// make is missing.
+// (M_r), real_depth, provenance (one channel for each source, core/provenance.h), and the layers
+// over (A with a) and difference (D). One sample a pixel, ideal camera geometry. Without buffers
+// that the frame did not make.
 using FrameBuffers = std::map<std::string, BufferImage>;
 
-// Writes NAME.exr for each; makes the folder. Throws std::runtime_error.
+// Gathers the buffers of a finished frame. Runs no further pass.
+FrameBuffers collect_buffers(const graph::FrameGraph& graph, const FramePasses& frame,
+                             const passes::RenderView& view);
+
+// Writes NAME.exr for each; creates the folder. Throws std::runtime_error.
 void write_buffers(const FrameBuffers& buffers, const std::filesystem::path& folder);
 
 }  // namespace amalgam::frame

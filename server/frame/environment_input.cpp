@@ -12,8 +12,8 @@
 namespace amalgam::frame {
 namespace {
 
-constexpr int kUnrolledWidth = 512,
-              kUnrolledHeight = 256;  // finer than a mirror's blur of it shows
+// Finer than reflections show.
+constexpr int kUnrolledWidth = 512, kUnrolledHeight = 256;
 
 glm::vec3 bilinear(const common::ImageRgb8& picture, const glm::dvec2& at) {
   const auto texel = [&](double x, double y) {

@@ -1,5 +1,4 @@
-// From the picture that a client sends of its surroundings to the environment that lights the
-// scene.
+// Converts a client's picture of its surroundings to the environment that lights the scene.
 #pragma once
 
 #include "common/image.h"
@@ -8,13 +7,13 @@
 
 namespace amalgam::frame {
 
-// Decodes and, for a fish-eye, unrolls the picture. Throws codec::JpegError or
+// Decodes the picture and, for a fish-eye, unrolls it. Throws codec::JpegError or
 // std::invalid_argument with one line.
 scene::Environment make_environment(const EnvironmentInput& input);
 
 // An equirectangular low-dynamic-range map of what the fish-eye sees (the thesis's camera).
-// Directions that it does not see get the mean color of those that it does, by solid angle:
-// neither a dark nor a bright hole.
+// Directions outside its view get the mean color of those inside, by solid angle: neither a dark
+// nor a bright hole.
 scene::Environment unroll_fisheye(const common::ImageRgb8& picture,
                                   const common::FisheyeModel& fisheye,
                                   const glm::dquat& world_from_fisheye);

@@ -1,5 +1,5 @@
-// What goes into and comes out of the renderer for one frame, and the service that a network
-// session talks to. Nothing here depends on the renderer: sessions and tests see only this.
+// Input and output of the renderer for one frame, and the interface that network sessions use.
+// Nothing here depends on the renderer.
 #pragma once
 
 #include <chrono>
@@ -19,19 +19,18 @@
 #include "core/provenance.h"
 #include "core/ray_counts.h"
 #include "core/timings.h"
-#include "frame/frame_quality.h"
 
 namespace amalgam::frame {
 
 using Bytes = std::vector<std::byte>;
 
 struct FrameInput {
-  // The camera image: a JPEG as the client sent it, or pixels that were decoded already.
+  // The camera image: the client's JPEG, or pixels that are already decoded.
   std::variant<Bytes, common::ImageRgb8> image;
   std::vector<common::MarkerPose> poses;
 };
 
-// One line of the pass list: what ran, or why it was left out.
+// One line of the pass list: a pass that ran, or why it was left out.
 struct PassRecord {
   std::string name;
   bool ran = false;
@@ -39,38 +38,71 @@ struct PassRecord {
   bool operator==(const PassRecord&) const = default;
 };
 
-// Of the image that is rendered: as large as the camera's, unless the lens distorts or the render
-// scale is below 1.
+// Of the rendered image: as large as the camera's, unless the lens distorts or the render scale is
+// below 1.
 struct PixelCounts {
   std::uint64_t virtual_pixels = 0;
   std::uint64_t specular = 0;
-  std::uint64_t refined = 0;  // taken again with more samples (adaptive sampling)
+  std::uint64_t refined = 0;  // rendered again with more samples (adaptive sampling)
   std::uint64_t total = 0;
 };
+
+// The quality of a frame of a view with a target frame rate (frame/governor.h).
+struct FrameQuality {
+  // What kept the quality from being better.
+  enum class Bound { Nothing, Trace, Raster, Encode, Lowest };
+
+  int level = 0;         // 0: as the operator set it
+  int lowest_level = 0;  // the level with the least quality
+  int samples_per_pixel = 1;
+  bool adaptive = false;  // more samples where neighbours differ
+  int max_depth = 0;
+  float importance_cutoff = 0.0f;
+  float render_scale = 1.0f;  // rendered pixels for each of the camera's, on each axis
+  int jpeg_quality = 0;       // 1..100
+  Bound bound = Bound::Nothing;
+};
+
+inline const char* to_string(FrameQuality::Bound bound) {
+  switch (bound) {
+    case FrameQuality::Bound::Nothing:
+      return "nothing: full quality";
+    case FrameQuality::Bound::Trace:
+      return "trace";
+    case FrameQuality::Bound::Raster:
+      return "raster";
+    case FrameQuality::Bound::Encode:
+      return "encode";
+    case FrameQuality::Bound::Lowest:
+      return "at its lowest";
+  }
+  return "";
+}
 
 struct FrameStatistics {
   core::StageTimes stages;
   std::vector<PassRecord> passes;
   core::RayCounts rays;
   PixelCounts pixels;
-  std::uint64_t nonfinite = 0;  // values that a stage had to replace by 0
+  std::uint64_t nonfinite = 0;  // values replaced by 0
   float exposure = 1.0f;
-  std::optional<FrameQuality> quality;  // only if there is a target frame rate
+  std::optional<FrameQuality> quality;  // only with a target frame rate
 };
 
 struct FrameOutput {
   Bytes jpeg;              // the composite; the client's own bytes if nothing virtual had an effect
-  bool unchanged = false;  // those bytes are the input's
+  bool unchanged = false;  // jpeg is the input's, byte for byte
   common::ImageRgb8 pixels;  // the composite, only if ViewOptions::keep_pixels
-  // Where each pixel's light came from, of the ideal image; only if ViewOptions::keep_provenance
-  // and something was drawn.
+  // The sources of each pixel's light, in the ideal image; only if ViewOptions::keep_provenance and
+  // something was drawn.
   std::optional<core::ProvenanceImage> provenance;
   FrameStatistics statistics;
 };
 
 struct ViewOptions {
   common::CameraModel camera;
-  int jpeg_quality = 0;  // 1..100; 0: the default, and an unaffected frame goes back byte for byte
+  // 1..100; 0: the default, and an unaffected frame goes back byte for byte.
+  int jpeg_quality = 0;
   bool keep_pixels = false;  // also return the composite as pixels
   bool keep_provenance = false;
 };
@@ -83,7 +115,7 @@ struct FrameFailure {
 };
 using FrameResult = std::variant<FrameOutput, FrameFailure>;
 
-// What is around the scene, as a JPEG: low dynamic range.
+// A picture of the scene's surroundings, as a JPEG: low dynamic range.
 struct EnvironmentInput {
   Bytes image;
   enum class Projection { Equirectangular, Fisheye } projection = Projection::Equirectangular;
@@ -94,7 +126,7 @@ struct EnvironmentInput {
 using ViewId = std::uint64_t;
 
 // Renders for many views (a view is one client's camera onto the scene). All functions may be
-// called from any thread and never block on rendering. Per view at most one frame waits; a newer
+// called from any thread and never block on rendering. At most one frame of a view waits; a newer
 // one replaces it.
 class FrameService {
  public:
@@ -106,18 +138,18 @@ class FrameService {
   // Throws std::invalid_argument if common::describe_defect(options.camera) is not empty.
   virtual ViewId open_view(const ViewOptions& options, Deliver deliver) = 0;
 
-  // Returns true if a frame that was waiting has been replaced (and will never be delivered).
+  // Returns true if it replaced a waiting frame, which will never be delivered.
   virtual bool submit(ViewId view, std::uint64_t frame_id, FrameInput input) = 0;
 
   // After this returns, deliver is never called again for the view.
   virtual void close_view(ViewId view) = 0;
 
   // Applies to all views of the scene from the next frame on. done is called on the render thread,
-  // with nothing or with what was wrong; it must be quick and must not throw.
+  // with an error text or nothing; it must be quick and must not throw.
   virtual void set_environment(EnvironmentInput input,
                                std::function<void(std::optional<std::string> error)> done) = 0;
 
-  // Markers that a client should look for: ids in the scene, world marker first.
+  // Markers that a client should look for: the scene's, world marker first.
   struct MarkerSet {
     std::string dictionary;
     double marker_length = 0.0;  // metres

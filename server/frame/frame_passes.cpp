@@ -19,7 +19,7 @@ namespace {
 constexpr const char* kNothingMoved = "nothing moved since the last frame";
 constexpr const char* kNoSpecular = "no specular object in the scene";
 
-// Why this frame cannot show anything virtual, whatever the camera sees; nothing if it might.
+// Why this frame cannot show anything virtual, whatever the camera image; nothing if it might.
 std::optional<std::string> reason_for_nothing(const SceneResources& resources,
                                               const FrameRequest& request) {
   const passes::RenderView& view = request.render_view;
@@ -30,7 +30,7 @@ std::optional<std::string> reason_for_nothing(const SceneResources& resources,
         return resources.scene.instances[anchored.instance].role == scene::Role::Virtual;
       });
   if (!any_virtual) return "no pose of a marker that a virtual object stands on";
-  // Whoever wants the buffers wants to see them empty.
+  // A dump contains the buffers even if they are empty.
   if (!request.keep_buffers &&
       nothing_virtual_in_view(resources.scene, resources.mesh_bounds, view))
     return "nothing virtual in view";
@@ -111,7 +111,7 @@ void add_hybrid_passes(graph::FrameGraph& graph, const SceneResources& resources
   frame.traced = passes::add_trace_pass(graph, trace_inputs(resources, request, frame));
 }
 
-// What there is only where something is rasterised.
+// Makes the resources absent that only rasterising makes.
 void leave_out_rasterised(graph::FrameGraph& graph, const std::string& reason, FramePasses& frame) {
   frame.mask.device = graph.absent<passes::DeviceMask>("device mask", reason);
   frame.mask.mask = graph.absent<passes::SampleMask>("M_v and M_r", reason);
@@ -153,7 +153,7 @@ graph::Handle<T> bring_back(graph::FrameGraph& graph, const char* name, const Ke
   return bring_back(graph, name, kept, kept.value.value_or(T()));
 }
 
-// Nothing moved: what an equal frame left, with this frame's camera image.
+// Nothing moved: an equal frame's results, with this frame's camera image.
 void add_still_passes(graph::FrameGraph& graph, const FrameRequest& request, FramePasses& frame) {
   const StillFrame& still = *request.still;
   for (const char* pass : {"mask", "reached tiles", "diffuse", "effect", "meter", "trace"})
@@ -173,8 +173,8 @@ void add_still_passes(graph::FrameGraph& graph, const FrameRequest& request, Fra
   frame.traced = passes::add_look_up_pass(graph, {paths, frame.camera_image, frame.exposure});
 }
 
-// Nine samples where one was not enough; or, for hybrid frames, as many as elsewhere, but traced
-// where shadow maps are not exact.
+// Adaptive: nine samples at edges. Traced shadow edges (hybrid): as many samples as elsewhere, but
+// traced, at shadow edges.
 void add_refinement(graph::FrameGraph& graph, const SceneResources& resources,
                     const FrameRequest& request, FramePasses& frame) {
   const RendererSettings& settings = request.settings;

@@ -1,4 +1,4 @@
-// The passes of one frame, connected: which result feeds which, for each renderer mode.
+// Connects the passes of one frame, for each renderer mode.
 #pragma once
 
 #include <optional>
@@ -23,7 +23,7 @@
 
 namespace amalgam::frame {
 
-// What outlives a frame and is shared by all views of a scene.
+// Resources that outlive a frame and are shared by all views of a scene.
 struct SceneResources {
   const scene::Scene& scene;
   const scene::SceneFeatures& features;
@@ -39,13 +39,14 @@ struct FrameRequest {
   ViewState& view;
   const passes::RenderView& render_view;
   bool keep_buffers = false;
-  const StillFrame* still = nullptr;  // what an equal frame left; null: all is made anew
-  bool keep_still = false;            // leave something for the next equal frame
+  const StillFrame* still = nullptr;  // the results of an equal frame; null: all are made anew
+  bool keep_still = false;            // keep results for the next equal frame
 };
 
-// Handles to all that somebody may ask of a frame. All are set: what the mode has not is absent.
+// Handles to everything that may be requested of a frame. All are set; a resource that the mode
+// lacks is absent.
 struct FramePasses {
-  std::optional<std::string> nothing;  // why nothing virtual can show, if that is known beforehand
+  std::optional<std::string> nothing;  // why nothing virtual can show, if known in advance
   graph::Handle<passes::CameraImage> camera_image;
   graph::Handle<passes::MeterGrid> meter_grid;
   graph::Handle<float> exposure;

@@ -3,7 +3,7 @@
 namespace amalgam::frame {
 namespace {
 
-// What the rasteriser drew are the mask's surfaces that are not specular.
+// The rasteriser drew the mask's surfaces that are not specular.
 void add_rasterised(core::ProvenanceImage& provenance, const passes::SampleMask& mask) {
   const int n = mask.flags.width() / provenance.width();  // samples a side
   const float share = 1.0f / static_cast<float>(n * n);

@@ -1,4 +1,4 @@
-// Where the light of a whole frame came from, put together from the passes that made it.
+// Puts a frame's provenance together from its passes.
 #pragma once
 
 #include <optional>
@@ -8,9 +8,9 @@
 
 namespace amalgam::frame {
 
-// What was rasterised, from the mask; what was traced, from the tracer; and where a pixel was taken
-// again, the refinement's shares instead of both. Needs TraceInputs::keep_provenance. Nothing if
-// nothing was drawn.
+// Rasterised samples from the mask, traced ones from the tracer; for refined pixels, the
+// refinement's shares replace both. Needs TraceInputs::keep_provenance. Nothing if nothing was
+// drawn.
 std::optional<core::ProvenanceImage> frame_provenance(const graph::FrameGraph& graph,
                                                       const FramePasses& frame,
                                                       const passes::RenderView& view);

@@ -6,13 +6,15 @@
 #include <stdexcept>
 #include <thread>
 
-#include "frame/collect_buffers.h"
-#include "frame/collect_still.h"
-#include "frame/frame_cost.h"
+#include "common/check_context.h"
+#include "frame/buffer_dump.h"
+#include "frame/costs.h"
 #include "frame/frame_passes.h"
 #include "frame/frame_provenance.h"
 #include "frame/rendering_threads.h"
+#include "frame/replay_text.h"
 #include "frame/scene_variant.h"
+#include "frame/still_frame.h"
 #include "gl/shader_interface.h"
 #include "passes/image/light_extraction.h"
 #include "scene/anchored_scene.h"
@@ -22,7 +24,7 @@
 namespace amalgam::frame {
 namespace {
 
-// What rasterising needs, made only for modes that rasterise.
+// Resources for rasterising, made only for modes that rasterise.
 struct Raster {
   explicit Raster(const scene::Scene& scene)
       : shaders(gl::find_features(scene)),
@@ -68,7 +70,8 @@ FrameStatistics collect_statistics(const graph::FrameGraph& graph, const FramePa
   return statistics;
 }
 
-// A rasterised frame has room for so many lights; an environment may come later.
+// The number of lights of a rasterised frame is limited. An environment may be set later, so its
+// lights always count.
 void check_light_count(const scene::Scene& scene, const scene::EnvLightOptions& options) {
   const int environment = scene::most_lights(options);
   const std::size_t punctual = scene.punctual_lights.size();
@@ -102,6 +105,10 @@ class FrameRenderer::Impl {
   }
 
   FrameOutput render(ViewState& view, const FrameInput& input, FrameBuffers* buffers) {
+    const common::CheckContext context([&] {
+      return "rendering a frame; to replay it:\n" +
+             replay_text(replayed_frame(view, input, buffers != nullptr));
+    });
     AMALGAM_CHECK(std::this_thread::get_id() == owner_,
                   "rendering on a thread that is not the owner");
     FrameOutput output;
@@ -163,7 +170,24 @@ class FrameRenderer::Impl {
     return output;
   }
 
-  // The only pass that is asked for at once: what is drawn depends on how many lights there are.
+  // The settings have the quality that the governor chose, without the target that it chose by.
+  ReplayedFrame replayed_frame(const ViewState& view, const FrameInput& input,
+                               bool keep_buffers) const {
+    ReplayedFrame frame{.scene_path = scene_.path,
+                        .camera = view.options.camera,
+                        .poses = input.poses,
+                        .settings = chosen_settings(view),
+                        .keep_provenance = view.options.keep_provenance,
+                        .keep_buffers = keep_buffers,
+                        .environment_replaced = environments_ > 0};
+    frame.settings.target_fps.reset();
+    frame.settings.coarse_allowed = false;
+    if (view.still.wants_frame()) frame.repeat = 2;
+    if (view.still.frame() != nullptr) frame.repeat = 3;
+    return frame;
+  }
+
+  // The only pass that runs at once: the drawing depends on the number of lights.
   passes::EnvironmentLights environment_lights(graph::FrameGraph& graph) {
     const auto& environment = scene_.environment;
     const auto* lights = graph.realise(passes::add_light_extraction_pass(
@@ -171,7 +195,7 @@ class FrameRenderer::Impl {
     return lights != nullptr ? *lights : passes::EnvironmentLights{};
   }
 
-  // The operator's; with a target frame rate, as far as the view can have them.
+  // The operator's settings; with a target frame rate, lowered by the governor.
   RendererSettings settings_for(ViewState& view) const {
     if (!settings_.target_fps) return settings_;
     const int client_quality = view.options.jpeg_quality;
@@ -180,6 +204,11 @@ class FrameRenderer::Impl {
                             client_quality != 0 ? std::vector<JpegLevel>{{client_quality}}
                                                 : make_jpeg_ladder(settings_.jpeg_quality));
     }
+    return chosen_settings(view);
+  }
+
+  RendererSettings chosen_settings(const ViewState& view) const {
+    if (!view.governor) return settings_;
     return with_quality(settings_, view.governor->quality(), view.governor->jpeg_quality());
   }
 
@@ -198,8 +227,8 @@ class FrameRenderer::Impl {
     return render_view;
   }
 
-  // What is kept knows nothing of buffers, provenance and logged rays, and refinement looks for
-  // edges in the camera's colors.
+  // Not for frames with buffers, provenance or logged rays, which are not kept, nor with
+  // refinement, which looks for edges in the camera's colors.
   void begin_still(ViewState& view, const RendererSettings& settings,
                    const passes::RenderView& render_view, bool keep_buffers) const {
     const bool refines = settings.adaptive_threshold || settings.trace_shadow_edges;
@@ -212,7 +241,7 @@ class FrameRenderer::Impl {
                       render_view.samples_per_side, settings.render_scale, settings.trace});
   }
 
-  // Asks the graph for what the client wants; everything else follows from that.
+  // Requests the client's output from the graph; everything else follows by demand.
   static FrameOutput take_output(graph::FrameGraph& graph, const FramePasses& frame,
                                  const ViewState& view, const FrameInput& input) {
     FrameOutput output;

@@ -1,6 +1,6 @@
 // One scene, rendered into any number of camera views, one frame at a time.
 //
-// Owned by one thread: the one that made it, which owns the OpenGL context.
+// Belongs to the thread that made it, which owns the OpenGL context.
 #pragma once
 
 #include <memory>
@@ -15,16 +15,15 @@ namespace amalgam::frame {
 
 class FrameRenderer {
  public:
-  // Throws std::runtime_error if the GPU, or Mesa in its place, cannot be had;
-  // std::invalid_argument for bad settings.
+  // Throws std::runtime_error without a usable GPU or Mesa; std::invalid_argument for bad settings.
   FrameRenderer(scene::Scene scene, const RendererSettings& settings);
   ~FrameRenderer();
 
   // Throws codec::JpegError if the camera image cannot be used. buffers: filled if given.
   FrameOutput render(ViewState& view, const FrameInput& input, FrameBuffers* buffers = nullptr);
 
-  // Replaces the scene's environment for all views, from the next frame on; its lights are
-  // extracted then, and only then.
+  // Replaces the scene's environment for all views. Its lights are extracted once, with the next
+  // frame.
   void set_environment(scene::Environment environment);
 
   const scene::Scene& scene() const;

@@ -14,12 +14,12 @@ RelativeCosts costs_of(const std::vector<Level>& levels, Cost Level::*cost) {
   return RelativeCosts(std::move(costs));
 }
 
-// Without what is traced changing: of a cost for a picture full of it.
+// The tracing cost of a picture full of specular pixels: independent of how many are in view.
 double traced_unit(const FrameCost& cost) {
   return cost.specular > 0.0 ? cost.trace / cost.specular : 0.0;
 }
 
-// Half a dozen frames' memory; a jump of the scene is followed at once.
+// Averages over about half a dozen frames, but follows a jump at once.
 double smoothed(double smooth, double value) {
   constexpr double kShare = 0.2, kJump = 0.25;
   const bool jumped = std::abs(value - smooth) > kJump * smooth;
@@ -28,7 +28,7 @@ double smoothed(double smooth, double value) {
 
 }  // namespace
 
-// The JPEG's coarseness is seen all over the picture, and saves little.
+// A coarser JPEG is seen all over the picture and saves little.
 double Governor::Choice::harm() const {
   return static_cast<double>(level) + 2.5 * static_cast<double>(jpeg);
 }
@@ -81,7 +81,7 @@ FrameCost Governor::predict(std::size_t index) const {
   return cost;
 }
 
-// A coarser JPEG is a choice only where encoding would be what takes longest.
+// A coarser JPEG is a choice only if encoding would take longest.
 bool Governor::is_sensible(std::size_t index) const {
   if (choices_[index].jpeg == 0) return true;
   const FrameCost cost = predict(index);
@@ -103,8 +103,8 @@ std::size_t Governor::next_lower(std::size_t index) const {
 
 void Governor::frame_done(const FrameCost& cost) {
   last_ = cost;
-  // What quality does not change comes once in a while (shadow maps are drawn, something is made):
-  // it is believed when it comes twice in a row.
+  // Work that quality does not change is often a single event (shadow maps are drawn, something is
+  // made). It counts only if it comes twice in a row.
   last_.other = std::min(cost.other, last_other_);
   last_other_ = cost.other;
   learn(last_);

@@ -1,42 +1,41 @@
-// Chooses the quality of a view's next frame from what its last ones took, so that a frame takes at
-// most a given time.
+// Chooses the quality of a view's next frame from the times of its last ones, so that a frame takes
+// at most a given time (the budget).
 //
-// Down at once when a frame was over its budget; up only when a better choice has been predicted to
-// take less than kCalm of the budget for several frames in a row. Costs are predicted from the
-// measured ones by ratios between levels, which every change corrects (relative_costs.h): what
-// turned out to be wrong once is not tried again.
+// Quality goes down at once when a frame exceeds its budget. It goes up when a better choice is
+// predicted to take less than kCalm of the budget for several frames in a row. Predictions multiply
+// measured times by cost ratios between levels. Every change of level corrects these ratios
+// (costs.h), so a wrong prediction is not repeated.
 //
-// Knows nothing of rendering and of clocks: the same costs give the same choices.
+// Independent of rendering and of clocks: the same costs give the same choices.
 #pragma once
 
 #include <cstddef>
 #include <optional>
 #include <vector>
 
-#include "frame/frame_cost.h"
+#include "frame/costs.h"
 #include "frame/quality_ladder.h"
-#include "frame/relative_costs.h"
 
 namespace amalgam::frame {
 
 class Governor {
  public:
   static constexpr double kCalm = 0.8;    // of the budget
-  static constexpr double kFits = 0.9;    // of the budget: what a lower choice is to take at most
-  static constexpr int kCalmFrames = 5;   // before going up
-  static constexpr int kLearnFrames = 5;  // after a change
+  static constexpr double kFits = 0.9;    // of the budget: the most that a lower choice may take
+  static constexpr int kCalmFrames = 5;   // in a row, before going up
+  static constexpr int kLearnFrames = 5;  // after a change, which correct the ratios
 
-  // jpeg: of one level if the quality is the client's.
+  // jpeg: a single level if the client sets the quality.
   Governor(double budget_ms, std::vector<QualityLevel> ladder, std::vector<JpegLevel> jpeg);
 
-  // What the next frame is to be rendered with.
+  // The quality for the next frame.
   const QualityLevel& quality() const { return ladder_[choice().level]; }
   int jpeg_quality() const { return jpeg_[choice().jpeg].quality; }
   // For a frame's statistics.
   FrameQuality report() const;
 
-  // What a frame that was rendered with the choice took. Frames that showed nothing virtual say
-  // nothing about what showing it takes: they are to be left out.
+  // Reports the time of a frame rendered with the choice. Not for frames that showed nothing
+  // virtual: their times say nothing about the others.
   void frame_done(const FrameCost& cost);
 
  private:
@@ -44,7 +43,7 @@ class Governor {
     std::size_t level = 0, jpeg = 0;
     double harm() const;
   };
-  // A stay at one choice: costs for each thing traced, smoothed.
+  // A period at one choice. smooth: costs as of a picture full of specular pixels, smoothed.
   struct Stay {
     std::size_t choice = 0;  // index
     int frames = 0;
@@ -68,7 +67,7 @@ class Governor {
   std::size_t current_ = 0;
   RelativeCosts trace_, raster_, encode_;
   FrameCost last_;           // measured, with the current choice
-  double last_other_ = 0.0;  // as measured, before it is believed
+  double last_other_ = 0.0;  // the last frame's, as measured
   Stay stay_;
   std::optional<Stay> before_;
   int calm_ = 0;  // frames in a row for which a better choice would have fitted

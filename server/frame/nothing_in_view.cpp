@@ -11,7 +11,7 @@ namespace {
 
 using Points = std::vector<glm::dvec3>;
 
-// Pairs of objects and lights beyond which asking costs more than it may save.
+// Pairs of objects and lights. Beyond this the test costs more than it may save.
 constexpr std::size_t kMostPairs = 4096;
 
 // The view's four sides and the camera's plane, in the world: a point is outside where
@@ -22,7 +22,8 @@ struct Plane {
 };
 using View = std::array<Plane, 5>;
 
-// A few pixels more than the picture: shadows are filtered, and samples lie between the centres.
+// A few pixels larger than the picture: shadows are filtered, and samples lie between pixel
+// centres.
 View view_planes(const passes::RenderView& view) {
   constexpr double kMargin = 3.0;
   const common::CameraModel& camera = view.ideal;
@@ -43,7 +44,7 @@ View view_planes(const passes::RenderView& view) {
   return planes;
 }
 
-// Of the points' convex hull.
+// Whether the points' convex hull is outside the view.
 bool is_outside(const View& view, const Points& points) {
   return std::any_of(view.begin(), view.end(), [&](const Plane& plane) {
     return std::all_of(points.begin(), points.end(), [&](const glm::dvec3& p) {
@@ -65,7 +66,7 @@ Box box_of(const Points& points) {
   return box;
 }
 
-// How far the points must go until all of them have left the box on one of its sides, metres.
+// Metres that the points must move until all of them have left the box on one of its sides.
 double way_through(const Points& points, const Box& box, const glm::dvec3& direction) {
   double least = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis) {
@@ -78,8 +79,8 @@ double way_through(const Points& points, const Box& box, const glm::dvec3& direc
   return least;
 }
 
-// The hull of what lies in the box's shadow before or within the receivers: its corners, and the
-// same as far behind the last receiver.
+// The corners of the box's shadow volume as far as the receivers: the box's own, and the same moved
+// behind the last receiver.
 Points shaded_by(const Points& caster, const Points& receivers, const scene::Light& light) {
   Points points = caster;
   if (light.kind == scene::Light::Kind::Directional) {
@@ -91,8 +92,8 @@ Points shaded_by(const Points& caster, const Points& receivers, const scene::Lig
   const glm::dvec3 position(light.position);
   double farthest = 0.0;
   for (const glm::dvec3& p : receivers) farthest = std::max(farthest, glm::distance(p, position));
-  // One factor for all corners, that of the box's point nearest to the light: it carries each of
-  // its points at least as far as the farthest receiver.
+  // One factor for all corners, from the box's point nearest to the light. It moves every point of
+  // the box at least as far as the farthest receiver.
   const Box box = box_of(caster);
   const double nearest = glm::distance(glm::clamp(position, box.low, box.high), position);
   constexpr double kMostDrawnOut = 1e6;

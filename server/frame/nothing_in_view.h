@@ -1,5 +1,5 @@
-// Whether a frame can be sent back before anything is drawn: nothing virtual, and no shadow of it,
-// reaches what the camera sees.
+// Tests whether a frame can go back before anything is drawn: no virtual object and no shadow of
+// one is in view.
 #pragma once
 
 #include <span>
@@ -10,10 +10,10 @@
 
 namespace amalgam::frame {
 
-// True only if it is certain. Every virtual object's box lies beside the view or behind the camera,
-// and so does what it could shade: for each light, the box drawn out away from the light until
-// behind all real objects. A real mirror or glass in view may show what is not in view, so then
-// nothing is certain. mesh_bounds: by Scene::meshes.
+// Conservative: true only if it is certain. Every virtual object's box must lie beside the view or
+// behind the camera. So must its shadow volume: for each light, the box extruded away from the
+// light until behind all real objects in view. False if a real mirror or glass is in view, since it
+// may show objects that are not. mesh_bounds: by Scene::meshes.
 bool nothing_virtual_in_view(const scene::Scene& scene, std::span<const scene::Bounds> mesh_bounds,
                              const passes::RenderView& view);
 

@@ -1,5 +1,5 @@
-// What a governed view may be rendered with: levels from the operator's own settings down, ordered
-// by the harm that one sees for each millisecond saved.
+// The levels of quality of a governed view, from the operator's settings down. The order is by
+// visible harm for each millisecond saved.
 #pragma once
 
 #include <optional>
@@ -16,24 +16,23 @@ struct QualityLevel {
   int max_depth = 0;
   float importance_cutoff = 0.0f;
   float render_scale = 1.0f;
-  // What tracing and rasterising the same things is thought to take, as a share of level 0's. First
-  // guesses: the governor corrects them by what it measures.
+  // Estimated costs of tracing and rasterising the same view, as shares of level 0's. The governor
+  // corrects them by measurement.
   double trace_cost = 1.0, raster_cost = 1.0;
   bool operator==(const QualityLevel&) const = default;
 };
 
-// The first level is the settings themselves, and none is above them in anything. Always the same
-// for the same settings.
+// The first level is the settings themselves; no level exceeds them in anything. Deterministic.
 std::vector<QualityLevel> make_quality_ladder(const RendererSettings& settings);
 
-// 1 to 100, the settings' own first, for clients that leave it to the server.
+// For clients that leave the JPEG quality to the server: the settings' own first.
 struct JpegLevel {
   int quality = 0;
   double cost = 1.0;  // of encoding, as a share of the first level's
 };
 std::vector<JpegLevel> make_jpeg_ladder(int quality);
 
-// The settings with a level's quality in place of their own.
+// The settings with their quality replaced by the level's.
 RendererSettings with_quality(RendererSettings settings, const QualityLevel& level,
                               int jpeg_quality);
 

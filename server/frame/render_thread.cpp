@@ -28,8 +28,8 @@ FrameService::MarkerSet marker_set(const scene::Scene& scene) {
   return markers;
 }
 
-// Renders a small frame for nobody: shaders are compiled for good and shadow maps drawn, which a
-// first client would wait seconds for otherwise.
+// Renders a small frame and drops it. This compiles shaders and draws shadow maps; otherwise the
+// first client would wait seconds for them.
 void warm_up(FrameRenderer& renderer) {
   ViewState view({.camera = common::default_camera(160, 120)});
   const common::ImageRgb8 grey(view.options.camera.width, view.options.camera.height,
@@ -134,7 +134,7 @@ void RenderThread::run(std::stop_token stop, const std::string& scene_path,
     started.set_exception(std::current_exception());
     return;
   }
-  // From here on neither the options nor the promise may be touched: the constructor has returned.
+  // The constructor has returned: from here on neither the options nor the promise may be used.
   while (wait_for_work(stop)) {
     apply_environment(*renderer);
     if (const auto view = take_next_view()) serve(*renderer, *view);

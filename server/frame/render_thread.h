@@ -1,4 +1,4 @@
-// The one thread that renders: it owns the renderer (and with it the OpenGL context) and serves all
+// The one thread that renders. It owns the renderer (and with it the OpenGL context) and serves all
 // views in turn.
 #pragma once
 
@@ -25,8 +25,8 @@ struct RenderServiceOptions {
 
 class RenderThread : public FrameService {
  public:
-  // Loads the scene and starts the renderer; returns when it is ready. Throws what loading or
-  // starting throws.
+  // Loads the scene and starts the renderer; returns when it is ready. Throws as load_scene() and
+  // FrameRenderer do.
   RenderThread(const std::string& scene_path, const RenderServiceOptions& options);
   // Finishes the frame in flight; waiting frames are dropped.
   ~RenderThread() override;

@@ -7,13 +7,32 @@
 
 namespace amalgam::frame {
 
+namespace {
+
+struct NamedMode {
+  RendererMode mode;
+  const char* name;
+};
+constexpr NamedMode kModes[] = {{RendererMode::Hybrid, "hybrid"},
+                                {RendererMode::Raytrace, "raytrace"},
+                                {RendererMode::Raster, "raster"},
+                                {RendererMode::Diffuse, "diffuse"}};
+
+}  // namespace
+
 RendererMode parse_renderer_mode(std::string_view text) {
-  if (text == "hybrid") return RendererMode::Hybrid;
-  if (text == "raytrace") return RendererMode::Raytrace;
-  if (text == "raster") return RendererMode::Raster;
-  if (text == "diffuse") return RendererMode::Diffuse;
+  for (const auto& [mode, name] : kModes) {
+    if (text == name) return mode;
+  }
   throw std::invalid_argument("renderer '" + std::string(text) +
                               "' is none of hybrid, raytrace, raster, diffuse");
+}
+
+const char* renderer_mode_name(RendererMode mode) {
+  for (const auto& [named, name] : kModes) {
+    if (named == mode) return name;
+  }
+  return "";
 }
 
 void parse_samples(std::string_view text, RendererSettings& settings) {

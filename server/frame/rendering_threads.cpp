@@ -13,8 +13,8 @@ int rendering_threads(const RendererSettings& settings) {
 
 void limit_llvmpipe_threads(const RendererSettings& settings) {
   const int threads = rendering_threads(settings);
-  // Mesa counts threads beside the one that calls OpenGL, which waits for them: 0 is none, and what
-  // it takes itself on one core.
+  // Mesa counts threads besides the one that calls OpenGL, which waits for them. 0 means none, and
+  // is Mesa's own choice on one core.
   const std::string value = threads > 1 ? std::to_string(threads) : "0";
   constexpr int kKeepWhatIsSet = 0;
   setenv("LP_NUM_THREADS", value.c_str(), kKeepWhatIsSet);

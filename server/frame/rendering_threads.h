@@ -1,4 +1,4 @@
-// How many threads render.
+// The number of threads that render.
 #pragma once
 
 #include <string>
@@ -7,15 +7,15 @@
 
 namespace amalgam::frame {
 
-// RendererSettings::threads, or one for each core that this process may use.
+// RendererSettings::threads; for 0 one for each core that this process may use.
 int rendering_threads(const RendererSettings& settings);
 
-// The same for Mesa's llvmpipe, which knows of affinity but not of CPU quotas: sets LP_NUM_THREADS
-// unless the operator did. Only before the first FrameRenderer, and before other threads run, since
-// it changes the environment.
+// Sets the same for Mesa's llvmpipe, which ignores CPU quotas, by LP_NUM_THREADS unless the
+// operator did. Call it before the first FrameRenderer and before other threads run, since it
+// changes the process's environment variables.
 void limit_llvmpipe_threads(const RendererSettings& settings);
 
-// What traces, for --version and the admin port (trace/embree_version.h).
+// Name and version of the ray tracer, for --version and the admin port (trace/embree_version.h).
 std::string ray_tracer_version();
 
 }  // namespace amalgam::frame

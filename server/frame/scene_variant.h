@@ -1,4 +1,4 @@
-// The scene that a renderer mode really draws (section 6.3 of the thesis compares these).
+// The scene as a renderer mode draws it (section 6.3 of the thesis compares these).
 #pragma once
 
 #include "frame/renderer_settings.h"
@@ -6,8 +6,8 @@
 
 namespace amalgam::frame {
 
-// Raster: without its specular instances. Diffuse: specular materials become diffuse ones of the
-// same base color. Otherwise as it is.
+// Raster: without its specular instances. Diffuse: specular materials become diffuse, with the same
+// base color. Other modes: unchanged.
 scene::Scene scene_variant(scene::Scene scene, RendererMode mode);
 
 }  // namespace amalgam::frame

@@ -1,8 +1,8 @@
-// What one view's frames have in common while nothing moves: all but the camera's colors and the
-// exposure. A camera on a tripod then pays only for looking these up.
+// Results that a view's frames share while nothing moves: all but the camera's colors and the
+// exposure. On a tripod, a frame then only looks these up.
 //
-// Kept from the second of two equal frames on, so that a moving camera pays nothing for it, and
-// dropped with the first frame that differs.
+// Kept from the second of two equal frames on, so that a moving camera has no cost. Dropped with
+// the first frame that differs.
 #pragma once
 
 #include <cstdint>
@@ -17,9 +17,15 @@
 #include "scene/anchored_scene.h"
 #include "trace/trace_request.h"
 
+namespace amalgam::graph {
+class FrameGraph;
+}
+
 namespace amalgam::frame {
 
-// All that the kept results depend on. Everything else is fixed for the life of a view.
+struct FramePasses;
+
+// Everything that the kept results depend on and that may change during the life of a view.
 struct StillKey {
   scene::AnchoredScene scene;
   std::vector<scene::Light> lights;
@@ -45,22 +51,27 @@ struct StillFrame {
   Kept<passes::KeptPaths> paths;
 };
 
+// Gathers the results of a frame that equal frames after it may reuse. graph: already evaluated.
+// Nothing if the results take more than StillView::kMostBytes.
+std::optional<StillFrame> collect_still(const graph::FrameGraph& graph, const FramePasses& frame,
+                                        const passes::RenderView& view);
+
 class StillView {
  public:
-  // A view does not keep more than this.
+  // The most that a view keeps.
   static constexpr std::size_t kMostBytes = std::size_t{64} << 20;
 
-  // A frame that may use and leave something. Drops what does not hold for it.
+  // Begins a frame that may use and keep results. Drops kept ones if the key differs.
   void begin(StillKey key);
-  // A frame that may not: drops everything.
+  // Begins a frame that may not. Drops everything.
   void forget();
 
-  // What holds for the frame that has begun; null if nothing does.
+  // The results kept for the frame that has begun; null if there are none.
   const StillFrame* frame() const { return frame_ ? &*frame_ : nullptr; }
   // Whether the frame that has begun should be kept when it is done.
   bool wants_frame() const { return seen_before_ && !frame_ && !too_large_; }
   void keep(StillFrame frame) { frame_ = std::move(frame); }
-  // Frames like this one take too much memory.
+  // The results take too much memory: keeps none for this key.
   void give_up() { too_large_ = true; }
 
  private:

@@ -1,4 +1,4 @@
-// What one client's camera keeps from frame to frame.
+// The state of one client's camera from frame to frame.
 #pragma once
 
 #include <optional>
@@ -17,12 +17,12 @@ struct ViewState {
   explicit ViewState(const ViewOptions& options);
 
   ViewOptions options;
-  // What is rendered, at full size: no distortion, with margins.
+  // The ideal camera at full size: no distortion, with margins.
   common::CameraModel ideal;
   std::optional<passes::WarpMap> warp_map;  // only if the lens distorts
   passes::ExposureMemory exposure;
   StillView still;
-  std::optional<Governor> governor;  // only if there is a target; made by the first frame
+  std::optional<Governor> governor;  // only with a target frame rate; made by the first frame
 };
 
 }  // namespace amalgam::frame

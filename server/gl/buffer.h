@@ -1,4 +1,4 @@
-// Owns one OpenGL buffer with immutable contents: vertices, indices, uniforms or shader storage.
+// Owns one immutable OpenGL buffer: vertices, indices, uniforms or shader storage.
 #pragma once
 
 #include <epoxy/gl.h>

@@ -31,7 +31,7 @@ struct Candidate {
   EGLDisplay display = EGL_NO_DISPLAY;
 };
 
-// In the order in which they are tried. Adds to `failures` what cannot even be asked for.
+// In the order in which they are tried. Adds unavailable ones to `failures`.
 std::vector<Candidate> list_displays(std::vector<std::string>& failures) {
   std::vector<Candidate> candidates;
   if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) {
@@ -129,8 +129,8 @@ EglContext::EglContext() : owner_(std::this_thread::get_id()) {
   report_gl_errors();
 }
 
-// The display stays initialised: EGL knows each one once in a process, so ending it would end every
-// other context on it, and Mesa's driver would be unloaded with some memory lost.
+// The display stays initialised. EGL has each display once in a process, so terminating it would
+// end every other context on it, and unloading Mesa's driver leaks memory.
 EglContext::~EglContext() {
   check_thread();
   if (eglGetCurrentContext() == context_)

@@ -1,5 +1,5 @@
-// Owns one OpenGL framebuffer: the textures that a pass draws into. Cheap enough to be made anew
-// whenever a pass runs, so it never outlives a texture that was resized.
+// Owns one OpenGL framebuffer: the textures that a pass draws into. Cheap, so each run of a pass
+// makes its own, and none outlives a resized texture.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -17,10 +17,10 @@ class Framebuffer {
     std::vector<const Texture*> colors{};
     const Texture* depth = nullptr;
     int layer = 0;               // of array textures
-    glm::ivec2 size_of_none{0};  // if there is nothing attached: only to be counted in
+    glm::ivec2 size_of_none{0};  // size without attachments
   };
 
-  // Throws std::runtime_error if the driver cannot draw into these together.
+  // Throws std::runtime_error if the driver does not support this combination.
   explicit Framebuffer(const Attachments& attachments);
   ~Framebuffer();
   Framebuffer(Framebuffer&& other) noexcept;
@@ -33,7 +33,7 @@ class Framebuffer {
 
   void clear_color(int attachment, const glm::vec4& value) const;
   void clear_color(int attachment, const glm::uvec4& value) const;
-  void clear_depth() const;  // to 0: infinitely far, depth being reversed
+  void clear_depth() const;  // to 0: infinitely far (reversed depth)
 
  private:
   GLuint id_ = 0;

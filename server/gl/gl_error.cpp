@@ -33,7 +33,7 @@ void on_message(GLenum source, GLenum type, GLuint, GLenum, GLsizei length, cons
   const std::string message(text, static_cast<std::size_t>(length));
   common::log_error("OpenGL: " + message);
 #ifndef NDEBUG
-  // Out of memory is an error of the machine and is thrown by whoever allocated.
+  // Out of memory is the machine's error; the allocating code throws it.
   AMALGAM_CHECK(message.find("GL_OUT_OF_MEMORY") != std::string::npos, message);
 #endif
 }

@@ -1,11 +1,12 @@
-// OpenGL's own complaints, brought to where they can be seen.
+// Reports OpenGL's errors.
 #pragma once
 
 #include <string>
 
 namespace amalgam::gl {
 
-// Logs every error that the driver reports; in debug builds it ends the program at the faulty call.
+// Logs every error that the driver reports. In debug builds an error ends the program at the faulty
+// call.
 void report_gl_errors();
 
 // Throws std::runtime_error if an error is pending, such as GL_OUT_OF_MEMORY after an allocation.

@@ -17,7 +17,7 @@ namespace {
 constexpr std::array<GLuint, scene::kTextureSlots> kUnits{
     kBaseColorUnit, kMetallicRoughnessUnit, kEmissiveUnit, kTransmissionUnit, kNormalUnit};
 
-// In double: the edges' product of a tiny triangle is below what float can hold.
+// In double: the cross product of a tiny triangle's edges underflows in float.
 std::vector<glm::vec4> face_normals(const scene::Mesh& mesh) {
   std::vector<glm::vec4> normals;
   normals.reserve(mesh.triangles.size());
@@ -39,7 +39,7 @@ std::optional<Buffer> upload_second_uv_areas(const scene::Mesh& mesh) {
   return Buffer::of(std::span<const float>(areas));
 }
 
-// All vertices in one plane, to a few roundings of their coordinates.
+// Whether all vertices lie in one plane, to a few roundings of their coordinates.
 bool is_flat(const scene::Mesh& mesh) {
   if (mesh.triangles.empty()) return true;
   const glm::uvec3& triangle = mesh.triangles.front();
@@ -93,8 +93,8 @@ GpuMaterial describe_material(const scene::Scene& scene, const scene::Material& 
   return gpu;
 }
 
-// GpuMaterial::textures of what the mesh has coordinates for, and tangents too if it is a normal
-// texture.
+// GpuMaterial::textures, without those that the mesh lacks coordinates (or, for normal textures,
+// tangents) for.
 std::uint32_t texture_bits(const scene::Material& material, const scene::Mesh& mesh) {
   std::uint32_t bits = 0;
   for (const scene::TextureSlot slot : scene::kAllTextureSlots) {
@@ -107,10 +107,10 @@ std::uint32_t texture_bits(const scene::Material& material, const scene::Mesh& m
   return bits;
 }
 
-// All sizes of a texture in one picture: the full one at the left, the smaller ones below each
-// other at its right (shaders/texture_lookup.glsl). Not as levels of a GL texture, because llvmpipe
-// reads four neighbouring fragments at one level, even where a shader says which, and they may
-// belong to different triangles.
+// All levels of a texture in one picture: the full size at the left, the smaller ones below each
+// other at its right (shaders/texture_lookup.glsl). Not levels of a GL texture, because llvmpipe
+// reads four neighbouring fragments at one level, even with an explicit level, and they may belong
+// to different triangles.
 common::ImageRgba8 mip_atlas(const scene::Texture& texture) {
   if (texture.mips.empty()) return texture.texels;
   const int left = texture.texels.width();
@@ -139,7 +139,7 @@ Texture upload_texture(const scene::Texture& texture) {
   return gpu;
 }
 
-// As four to a vector: std140 would pad single floats to 16 bytes.
+// Four to a vector: std140 would pad single floats to 16 bytes.
 Buffer upload_srgb_table() {
   std::array<float, kSrgbTableSize> table{};
   for (std::size_t i = 0; i < table.size(); ++i) {

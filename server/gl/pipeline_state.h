@@ -1,5 +1,5 @@
-// The fixed-function state that a pass draws with, set as a whole, so that no pass depends on what
-// the one before it left behind.
+// The fixed-function state of a pass, set as a whole, so that no pass depends on the state that an
+// earlier one left.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ struct PipelineState {
   enum class Depth : std::uint8_t {
     Off,
     NearestWrites,  // the nearest surface wins and is kept
-    EqualReads,     // only what an earlier pass found to be nearest; nothing is written
+    EqualReads,     // only the surface that an earlier pass found nearest; depth is not written
   };
   enum class Blend : std::uint8_t {
     Off,
@@ -22,8 +22,8 @@ struct PipelineState {
   bool push_depth_away = false;  // polygon offset, for shadow maps
 };
 
-// Also what never changes: zero-to-one depth, both sides of faces drawn, no clear restricted by
-// masks.
+// Also sets the constant state: depth from zero to one, both sides of faces drawn, no masks on
+// clears.
 void apply(const PipelineState& state);
 
 }  // namespace amalgam::gl

@@ -14,7 +14,7 @@
 namespace amalgam::gl {
 namespace {
 
-// The fewest digits that are read back as the same value.
+// The shortest decimal that reads back as the same value.
 template <typename T>
 std::string digits(T value) {
   std::array<char, 32> text{};

@@ -1,12 +1,12 @@
-// The numbers that C++ and GLSL share, as lines of GLSL. Each is written once, in C++; shaders know
-// it by the name that it has here.
+// The numbers that C++ and GLSL share, as lines of GLSL. Each is defined once, in C++; shaders use
+// the same name.
 #pragma once
 
 #include <string>
 
 namespace amalgam::gl {
 
-// "const uint kMaxLights = 512u;" and so on, for every shader to begin with.
+// "const uint kMaxLights = 512u;" and so on: the beginning of every shader.
 std::string shader_constants();
 
 }  // namespace amalgam::gl

@@ -1,9 +1,9 @@
-// What C++ and GLSL agree on: bindings, locations, limits and the layout of buffers. Shaders get
-// the numbers from here, by name (gl/shader_constants.h); the structs are written once more in
+// The interface of C++ and GLSL: bindings, locations, limits and the layout of buffers. Shaders get
+// the numbers from here, by name (gl/shader_constants.h). The structs are repeated in
 // shaders/interface.glsl.
 //
-// Nearly everything is a uniform block, bound by range where there is one entry for each draw:
-// software GL reads those once for all fragments, but shader storage once for each.
+// Nearly everything is in uniform blocks, bound by range if there is one entry for each draw.
+// Software GL reads uniform blocks once for all fragments, but shader storage once for each.
 #pragma once
 
 #include <array>
@@ -48,19 +48,19 @@ constexpr int kLightCountLocation = 1;
 constexpr int kShadowMapsPresentLocation = 2;  // bit i: the map of CasterClass i is bound
 constexpr int kMaskStepLocation = 3;
 constexpr int kSamplesOfTileLocation = 4;
-// Colors that shade_diffuse.frag writes, by their place in Framebuffer::Attachments::colors.
+// The outputs of shade_diffuse.frag, as indices into Framebuffer::Attachments::colors.
 constexpr int kMixedOutput = 0;
 constexpr int kRealOutput = 1;
 
-// As many as 64 KiB hold, the size of a uniform block on every desktop driver.
+// As many as fit into 64 KiB, the size of a uniform block on every desktop driver.
 constexpr std::size_t kMaxLights = 512;
-constexpr std::size_t kFewSuns = 8;  // directional lights that shade_diffuse.frag takes one by one
+constexpr std::size_t kFewSuns = 8;  // directional lights that shade_diffuse.frag unrolls
 
-// Shadow maps are apart for each.
+// Each class has its own shadow maps.
 enum class CasterClass : std::uint8_t { RealOpaque, VirtualOpaque, RealGlass, VirtualGlass };
 constexpr std::size_t kCasterClasses = 4;
 constexpr unsigned kCubeSides = 6;
-// Texels of its map by which a shadow look-up is moved along the surface's normal, at most: half a
+// The most that a shadow look-up is moved along the surface's normal, in texels of its map: half a
 // texel's diagonal and the filter's reach.
 constexpr double kShadowLift = 1.5;
 
@@ -71,14 +71,14 @@ constexpr std::uint8_t kVirtualFlag = 1;
 constexpr std::uint8_t kSpecularFlag = 2;
 constexpr std::uint8_t kSurfaceFlag = 4;
 
-constexpr std::size_t kSrgbTableSize = 256;  // a float each byte, four to a vector
-// How GpuMaterial packs what there is of each texture slot.
+constexpr std::size_t kSrgbTableSize = 256;  // a float for each byte, four to a vector
+// How GpuMaterial packs the values of each texture slot.
 constexpr unsigned kSecondUvsBit = 8;  // of slot 0, in textures
 constexpr unsigned kWrapBits = 2;
 constexpr unsigned kMapSizeBits = 16;
 static_assert(scene::kTextureSlots <= kSecondUvsBit && 2 * kWrapBits * scene::kTextureSlots <= 32);
 
-// The coarsest alignment that a driver may ask of a range in a uniform buffer.
+// The greatest alignment that a driver may require for a range of a uniform buffer.
 constexpr std::size_t kRangeAlignment = 256;
 
 struct GpuFrame {  // std140
@@ -91,7 +91,7 @@ struct GpuMaterial {  // std140
   glm::vec3 emission{0.0f};
   float metallic = 0.0f;
   glm::vec3 absorption{0.0f};  // 1/m
-  float alpha_cutoff = -1.0f;  // below 0: not masked
+  float alpha_cutoff = -1.0f;  // below 0: no alpha cut-outs
   float phong_exponent = 0.0f;
   float normal_reflectance = 0.0f;  // dielectrics: Schlick's R_m
   std::uint32_t thin = 0;
@@ -107,15 +107,15 @@ struct GpuMaterial {  // std140
 };
 static_assert(sizeof(GpuMaterial) == 112);
 
-// One for each instance that is drawn.
+// One for each drawn instance.
 struct alignas(kRangeAlignment) GpuSurface {  // std140
   glm::mat4 clip_from_mesh{1.0f};
   glm::mat4 world_from_mesh{1.0f};
-  // Upper 3x3: cofactors times the determinant's sign, divided by a positive number near the
-  // largest; that number times the sign is the last element.
+  // Upper 3x3: cofactors times the determinant's sign, divided by a positive scale near the largest
+  // one. Last element: the scale times the sign.
   glm::mat4 normal_from_mesh{1.0f};
   GpuMaterial material;
-  std::uint32_t flags = 0;  // what the mask shows
+  std::uint32_t flags = 0;  // the instance's value in the mask
 };
 static_assert(offsetof(GpuSurface, flags) == 304);
 
@@ -130,7 +130,7 @@ struct GpuLight {  // std140
   std::uint32_t first_layer = 0;
   std::uint32_t layer_count = 1;  // 1, or kCubeSides: +x -x +y -y +z -z
   float texel = 0.0f;             // side of a texel, metres (perspective: at 1 m from the light)
-  // Of its only layer. A cube: the tangent of its sides' half angle, in the first element.
+  // Of its only layer. For a cube, the first element is the tangent of its sides' half angle.
   glm::mat4 clip_from_world{1.0f};
 };
 static_assert(sizeof(GpuLight) * kMaxLights == 65536);

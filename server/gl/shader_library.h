@@ -1,5 +1,5 @@
-// All programs of the renderer, compiled in one place at start-up, so that a broken shader stops
-// the server there and not in some frame.
+// All programs of the renderer. They are compiled at start-up, so that a broken shader stops the
+// server then and not in some frame.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace amalgam::gl {
 
-// A program for surfaces, and one that also reads their textures and vertex colors, if the scene
-// has any: of both programs one for all surfaces, with what the scene lacks left out.
+// Two variants of a program for surfaces: plain ones, and ones with textures or vertex colors (if
+// the scene has any). Each variant serves all such surfaces, without features that the scene lacks.
 struct SurfaceProgram {
   ShaderProgram plain;
   std::optional<ShaderProgram> detailed;
@@ -21,8 +21,8 @@ struct ShaderLibrary {
   explicit ShaderLibrary(const ShaderFeatures& features);
 
   SurfaceProgram write_mask;
-  // Both solutions of diffuse surfaces under any lights; under at most kFewSuns directional ones;
-  // and under those of a lone real plane (ShaderFeatures).
+  // Both solutions of diffuse surfaces: under any lights; under at most kFewSuns directional ones;
+  // and, under those, of a lone real plane (ShaderFeatures).
   SurfaceProgram shade_diffuse;
   SurfaceProgram shade_under_few_suns;
   SurfaceProgram shade_lone_plane;

@@ -20,7 +20,7 @@ std::string assemble(std::string_view file, const std::string& defines) {
          std::string(source.substr(first_line));
 }
 
-// Included files make line numbers useless by themselves.
+// Adds line numbers for the log, because includes shift the files' own.
 std::string number_lines(const std::string& source) {
   std::istringstream lines(source);
   std::ostringstream numbered;

@@ -1,5 +1,5 @@
-// Owns one linked OpenGL program. Everything it reads has an explicit location or binding in its
-// source, by a constant of shader_interface.h, so nothing is looked up by name.
+// Owns one linked OpenGL program. All its inputs have explicit locations or bindings from
+// shader_interface.h, so nothing is looked up by name.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -11,8 +11,8 @@ namespace amalgam::gl {
 
 class ShaderProgram {
  public:
-  // Names of embedded shader files; defines are lines put behind "#version". Throws
-  // std::runtime_error with the compiler's log and the offending file.
+  // vertex_file, fragment_file: names of embedded shader files. defines: lines inserted after
+  // "#version". Throws std::runtime_error with the compiler's log and the file.
   ShaderProgram(std::string_view vertex_file, std::string_view fragment_file,
                 const std::string& defines = {});
   ~ShaderProgram();

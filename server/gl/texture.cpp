@@ -66,7 +66,7 @@ Texture::Texture(TextureFormat format, glm::ivec2 size, int layers)
     glDeleteTextures(1, &id_);
     throw;
   }
-  // Shaders fetch single texels and filter by themselves, in float and the same on every driver.
+  // Shaders fetch single texels and filter them in float, alike on every driver.
   glTextureParameteri(id_, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTextureParameteri(id_, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
@@ -132,7 +132,7 @@ void Texture::set_depth_comparison() {
   glTextureParameteri(id_, GL_TEXTURE_COMPARE_FUNC, GL_GEQUAL);
   glTextureParameteri(id_, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   glTextureParameteri(id_, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  // Outside of the map nothing is in the way: 0 is infinitely far.
+  // Outside the map nothing occludes: 0 is infinitely far.
   constexpr std::array<GLfloat, 4> kFar{};
   glTextureParameteri(id_, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
   glTextureParameteri(id_, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);

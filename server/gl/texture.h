@@ -14,8 +14,8 @@ enum class TextureFormat : std::uint8_t { R8ui, Rgba8ui, Rgba32f, Depth32f };
 
 class Texture {
  public:
-  // layers = 0: two-dimensional; otherwise an array. Throws std::runtime_error if the driver has no
-  // memory for it or a side is beyond its limit.
+  // layers: 0 for a two-dimensional texture, otherwise an array. Throws std::runtime_error if the
+  // driver is out of memory or a side exceeds its limit.
   Texture(TextureFormat format, glm::ivec2 size, int layers = 0);
   ~Texture();
   Texture(Texture&& other) noexcept;
@@ -32,13 +32,13 @@ class Texture {
   // Rows of tightly packed texels, top row first. Two-dimensional textures only.
   void upload(const void* texels);
   void read(void* texels, std::size_t bytes) const;  // bytes: exactly what the texture holds
-  // A part: size texels from first on, of one layer of an array. Bytes as for read().
+  // size texels from first on, of one layer of an array. bytes as for read().
   void read_part(glm::ivec2 first, glm::ivec2 size, void* texels, std::size_t bytes,
                  int layer = 0) const;
-  // Every channel of a part of a two-dimensional float or depth texture.
+  // Sets every channel of a part of a two-dimensional float or depth texture.
   void clear_part(glm::ivec2 first, glm::ivec2 size, float value) const;
 
-  // Makes look-ups compare with the stored reversed depth: 1 where reference >= depth, linearly
+  // Makes look-ups compare with the stored reversed depth: 1 if reference >= depth, linearly
   // weighted over 2x2 texels.
   void set_depth_comparison();
 

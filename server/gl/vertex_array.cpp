@@ -93,7 +93,7 @@ VertexArray& VertexArray::operator=(VertexArray&& other) noexcept {
 
 void VertexArray::draw() const {
   glBindVertexArray(id_);
-  // What an attribute without an array reads: neutral to the color.
+  // The value of an attribute without an array: neutral to the color.
   if (!details_) glVertexAttrib4f(kColorAttribute, 1.0f, 1.0f, 1.0f, 1.0f);
   glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
 }

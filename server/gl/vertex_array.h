@@ -13,7 +13,7 @@ namespace amalgam::gl {
 class VertexArray {
  public:
   // Attributes as in shader_interface.h; uvs are zero if the mesh has none. Colors, tangents and
-  // second uvs stand in a buffer of their own, if the mesh has any of them.
+  // second uvs have a buffer of their own, if the mesh has any of them.
   explicit VertexArray(const scene::Mesh& mesh);
   ~VertexArray();
   VertexArray(VertexArray&& other) noexcept;

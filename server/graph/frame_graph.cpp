@@ -43,9 +43,8 @@ void FrameGraph::make_absent(int resource, std::string reason) {
   r.reason = std::move(reason);
 }
 
-// The walk back from the output. A pass is visited at most once; required inputs are asked for in
-// the order in which they were declared, and the first absent one ends the matter before dearer
-// inputs are made.
+// The walk back from the output. A pass is visited at most once. Its required inputs are made in
+// the order of declaration; the first absent one stops it before costlier inputs are made.
 bool FrameGraph::make_available(int resource) {
   const auto index = static_cast<std::size_t>(resource);
   if (resources_[index].state == State::Unknown) {
@@ -101,7 +100,7 @@ std::vector<PassReport> FrameGraph::reports() const {
   for (const Pass& pass : passes_) {
     reports.push_back(pass.report);
     if (pass.visited) continue;
-    // Never reached: say whose absence made it unnecessary, or that nobody reads it.
+    // Never reached: give the absence that made it unnecessary, or that nothing reads it.
     std::string reason = "nothing reads its result";
     for (const Pass& reader : passes_) {
       const bool reads_it =

@@ -1,14 +1,15 @@
-// The frame graph: passes declare what they read and write, and only what the output needs runs.
+// The frame graph: passes declare what they read and write, and only passes that the output needs
+// run.
 //
-// One mechanism leaves everything out: a resource may be *absent, with a reason*. A pass that needs
-// an absent resource is left out for that reason, and what it would have written is absent for the
-// same reason. Absence comes from three sides: a scene that lacks a feature (absent()), a pass that
-// finds at run time that it has nothing to give (Access::leave_empty), and the walk back from the
-// output, which never reaches what nobody reads. Evaluation is by demand, so "decode the camera
-// image only if something is composited" is a consequence and not a rule.
+// Passes are left out by one mechanism: a resource may be *absent, with a reason*. A pass that
+// needs an absent resource is left out for that reason, and its outputs are absent for the same
+// reason. Absence has three sources: a scene that lacks a feature (absent()), a pass that finds at
+// run time that it has nothing to give (Access::leave_empty), and the walk back from the output,
+// which never reaches an unread resource. Evaluation is by demand, so "decode the camera image only
+// if something is composited" follows without a rule for it.
 //
-// Absence is always said. A handle that nobody has set is not absent but forgotten: giving it to a
-// pass, or asking the graph for it, fails a check that names the pass.
+// Absence is always explicit. An unset handle is a forgotten connection: giving it to a pass, or
+// asking the graph for it, fails a check that names the pass.
 //
 // A graph lives for one frame on one thread.
 #pragma once
@@ -45,23 +46,23 @@ struct PassReport {
   std::string name{};
   bool ran = false;
   std::string reason{};       // why it was left out; empty if it ran
-  double milliseconds = 0.0;  // of the pass alone, without what it waited for
+  double milliseconds = 0.0;  // of the pass alone, without its inputs
 };
 
 class FrameGraph;
 class Access;
 
-// What a pass says about itself while it is added.
+// A pass's declaration while it is added.
 class Builder {
  public:
-  // Without this the pass is left out.
+  // The pass is left out if this is absent.
   template <typename T>
   void needs(Handle<T> handle);
-  // Made available first if it can be; the pass runs all the same without it.
+  // Made available first if possible; the pass also runs without it.
   template <typename T>
   void uses(Handle<T> handle);
-  // At least one of all handles given to this must be there; the first one's reason counts
-  // otherwise.
+  // Of all handles given to needs_any(), at least one must be available; otherwise the pass is left
+  // out for the first one's reason.
   template <typename T>
   void needs_any(Handle<T> handle);
   template <typename T>
@@ -76,7 +77,7 @@ class Builder {
   int pass_;
 };
 
-// What a pass may touch while it runs: only what it declared.
+// A pass's access to resources while it runs: only to those that it declared.
 class Access {
  public:
   template <typename T>
@@ -84,8 +85,8 @@ class Access {
   // For handles given to uses() or needs_any(): null if absent.
   template <typename T>
   const T* find(Handle<T> handle) const;
-  // The value to change and pass on: moved if every pass that reads it has had its turn (whoever
-  // peeks at it afterwards sees what a move leaves), otherwise a copy.
+  // The value, to be changed and passed on. Moved if no later pass reads it (peek() then sees a
+  // moved-from value), otherwise copied.
   template <typename T>
   T take(Handle<T> handle) const;
   // The same for one member of it.
@@ -93,7 +94,7 @@ class Access {
   Member take(Handle<T> handle, Member T::*member) const;
   template <typename T>
   void set(Handle<T> handle, T value) const;
-  // This pass ran but has nothing to give: whoever needs the resource is left out with this reason.
+  // The pass has nothing to write: passes that need the resource are left out for this reason.
   template <typename T>
   void leave_empty(Handle<T> handle, std::string reason) const;
 
@@ -122,21 +123,21 @@ class FrameGraph {
     return handle;
   }
 
-  // A pass says what it reads and writes, and then what it runs, through the builder.
+  // The pass declares its reads and writes, and then its work, through the builder.
   [[nodiscard]] Builder add_pass(std::string name);
 
-  // A line in the pass list for work that is known beforehand not to be needed (its result is
-  // cached, say).
+  // A line in the pass list for work that is known in advance to be unnecessary (cached, for
+  // instance).
   void note_left_out(std::string name, std::string reason);
 
-  // Runs what the resource needs, and nothing else. Null if it is absent.
+  // Runs the passes that the resource needs, and no others. Null if it is absent.
   template <typename T>
   const T* realise(Handle<T> handle) {
     check_set(handle, kNoPass);
     return make_available(handle.index_) ? value<T>(handle.index_) : nullptr;
   }
 
-  // The value if it has been made already; makes nothing. For statistics and dumps.
+  // The value if it has been made already; runs nothing. For statistics and dumps.
   template <typename T>
   const T* peek(Handle<T> handle) const {
     check_set(handle, kNoPass);
@@ -150,7 +151,7 @@ class FrameGraph {
     return resources_[static_cast<std::size_t>(handle.index_)].reason;
   }
 
-  // One entry a pass, in the order in which they were added.
+  // One entry for each pass, in the order in which they were added.
   std::vector<PassReport> reports() const;
 
   // The graph in Graphviz's language: boxes are passes (dashed: left out), ellipses are resources.
@@ -196,7 +197,7 @@ class FrameGraph {
   bool declares_write(int pass, int resource) const;
   bool is_read_later(int resource) const;  // by a pass that has not been visited
 
-  // pass: who was given the handle; kNoPass: the graph itself.
+  // pass: the one that was given the handle; kNoPass: the graph itself.
   template <typename T>
   void check_set(Handle<T> handle, int pass) const {
     check_set(handle.index_ >= 0, pass, typeid(T));

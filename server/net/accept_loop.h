@@ -1,5 +1,5 @@
-// Accepts connections on one address for as long as it is open, and does not spin when the process
-// runs out of descriptors.
+// Accepts connections on one address until it is closed. Pauses if the process runs out of
+// descriptors, instead of spinning.
 #pragma once
 
 #include <boost/asio/io_context.hpp>
@@ -15,14 +15,14 @@ class AcceptLoop {
  public:
   using OnAccept = std::function<void(boost::asio::ip::tcp::socket)>;
 
-  // Takes the address, so that a port in use is an exception at start-up, but does not listen yet.
+  // Binds the address, so that a port in use throws at start-up, but does not listen yet.
   AcceptLoop(boost::asio::io_context& io, const common::HostPort& address, OnAccept on_accept);
 
   // Throws std::runtime_error. From here on connections queue up; start() accepts them.
   void listen();
   void start() { accept(); }
   void close();
-  common::HostPort address() const;  // with the port that port 0 became
+  common::HostPort address() const;  // with the actual port if 0 was given
 
  private:
   void accept();

@@ -1,5 +1,5 @@
-// The operator's window: an HTTP server of its own port with /livez, /readyz, /metrics and /state.
-// Runs on the network thread, so that an answer proves that this thread turns.
+// The admin port: an HTTP server with /livez, /readyz, /metrics and /state. Runs on the network
+// thread, so that an answer proves that this thread is alive.
 #pragma once
 
 #include <boost/asio/io_context.hpp>
@@ -13,7 +13,7 @@
 
 namespace amalgam::net {
 
-// What the pages say; called for each request.
+// The pages' contents; called for each request.
 struct AdminPages {
   std::function<std::string()> not_ready;  // why; empty: ready
   std::function<std::string()> metrics;    // Prometheus' text format
@@ -31,7 +31,7 @@ class Admin {
 
  private:
   class Connection;
-  // Connections may outlive this by a moment, as the last handlers of the io_context.
+  // Kept alive by connections, whose last handlers may run after the Admin's end.
   struct Shared {
     AdminPages pages;
     std::size_t connections = 0;

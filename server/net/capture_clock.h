@@ -1,6 +1,5 @@
-// Keeps a client's capture times plausible: a time before its predecessor's, or much further ahead
-// of it than the frames arrived apart, is clamped for that frame, and the next is judged from
-// there.
+// Keeps a client's capture times plausible. A time is clamped if it lies before its predecessor's,
+// or ahead of it by more than the time between arrivals plus kMaxCaptureLead.
 #pragma once
 
 #include <algorithm>
@@ -32,7 +31,7 @@ class CaptureClock {
       judged.time_us = std::clamp(time_us, earliest, latest);
       judged.clamped = judged.time_us != time_us;
     }
-    // Raw, not clamped: a clock that was set once is wrong once and not for ever.
+    // Raw, not clamped: a clock that was set once is clamped for one frame only.
     previous_ = {time_us, arrival};
     return judged;
   }

@@ -1,5 +1,4 @@
-// What a client did wrong: thrown wherever it is found, caught by the session, answered as an
-// Error.
+// A client's mistake: thrown where it is found, caught by the session, answered by an Error.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +13,7 @@ struct ClientError : std::runtime_error {
   ClientError(protocol::Error::Code code_, const std::string& text, std::uint64_t frame_id_ = 0)
       : std::runtime_error(text), code(code_), frame_id(frame_id_) {}
   protocol::Error::Code code;
-  std::uint64_t frame_id;  // as the client numbered it; 0: not about a frame
+  std::uint64_t frame_id;  // the client's number; 0: not about a frame
 };
 
 // Whether the session goes on after this Error (PROTOCOL.md, table of error codes).

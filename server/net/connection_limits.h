@@ -1,5 +1,5 @@
-// Counts connections in all, not yet authenticated, and by address, and refuses above the caps.
-// Owned by the network thread.
+// Counts connections: all, those not yet authenticated, and by address. Refuses those above the
+// caps. Owned by the network thread.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ class ConnectionLimits {
  public:
   explicit ConnectionLimits(const ConnectionCaps& caps) : caps_(caps) {}
 
-  // One connection's share of the counts, given back at its end. Must not outlive the
+  // One connection's entry in the counts, removed by the destructor. Must not outlive the
   // ConnectionLimits.
   class Ticket {
    public:

@@ -1,5 +1,5 @@
-// Every time-out of one session, apart from sockets and clocks: told what happened and when, it
-// says when to look again and which time-out has passed.
+// All time-outs of one session, independent of sockets and clocks. Takes events with their times;
+// tells which time-out has passed and when to check again.
 #pragma once
 
 #include <chrono>
@@ -21,17 +21,17 @@ class Deadlines {
   // The hello was accepted: from now on the client is pinged and must be heard.
   void authenticated(Time now);
   void received_message(Time now);
-  // After each read: so many bytes of the next message are here (0: it has not begun).
+  // After each read. bytes: received of the next message; 0: it has not begun.
   void received_part(std::size_t bytes, Time now);
   void write_begun(Time now) { write_begun_ = now; }
   void write_ended() { write_begun_.reset(); }
 
   std::optional<Passed> passed(Time now) const;
 
-  // True once for each interval that has gone by; the caller pings.
+  // True once for each interval that has passed; the caller then pings.
   bool ping_due(Time now);
 
-  // When to call passed() and ping_due() again, at the latest.
+  // The latest time to call passed() and ping_due() again.
   Time next() const;
 
  private:

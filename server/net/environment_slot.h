@@ -1,5 +1,5 @@
-// One client's environments on their way to the renderer: one is being applied, one waits, and a
-// newer one replaces the one that waits, because applying takes longer than sending.
+// One client's environments on their way to the renderer: one is being applied and one waits. A
+// newer one replaces the waiting one, because applying takes longer than sending.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@ class EnvironmentSlot {
  public:
   struct Offered {
     std::optional<frame::EnvironmentInput> now;  // to be applied at once
-    bool replaced = false;                       // one that waited will never be applied
+    bool replaced = false;                       // a waiting one will never be applied
   };
   Offered offer(frame::EnvironmentInput input) {
     if (!std::exchange(applying_, true)) return {.now = std::move(input), .replaced = false};
@@ -22,7 +22,7 @@ class EnvironmentSlot {
     return {.now = std::nullopt, .replaced = replaced};
   }
 
-  // The one that was being applied is done; the next one, if there is one.
+  // The one being applied is done. Returns the next, if there is one.
   std::optional<frame::EnvironmentInput> done() {
     applying_ = waiting_.has_value();
     return std::exchange(waiting_, std::nullopt);

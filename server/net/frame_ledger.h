@@ -1,5 +1,5 @@
-// Which of a session's frames the renderer has, and what became of all others: every frame that was
-// received is answered, in the renderer's hands, or counted as skipped with a reason.
+// Accounts for every frame that a session received: it is answered, in the renderer, or counted as
+// skipped with a reason.
 #pragma once
 
 #include <chrono>
@@ -19,7 +19,7 @@ class FrameLedger {
   explicit FrameLedger(Metrics& metrics) : metrics_(metrics) {}
 
   struct Entry {
-    std::uint64_t number = 0;  // ours, since nobody checks the client's
+    std::uint64_t number = 0;  // ours, because the client's is not checked
     std::uint64_t frame_id = 0;
     std::uint64_t capture_time_us = 0;
     std::vector<common::MarkerPose> poses;  // rendered with
@@ -28,13 +28,13 @@ class FrameLedger {
 
   // Returns the frame's number, counted from 1.
   std::uint64_t receive(std::size_t message_bytes);
-  // The renderer has it; `replaced`: and threw away the one that waited.
+  // The renderer took the frame. replaced: it dropped a waiting one for it.
   void submit(Entry entry, bool replaced);
-  // The renderer is done with it. Nothing if the frame has been abandoned.
+  // The renderer is done with the frame. Nothing if the frame has been abandoned.
   std::optional<Entry> deliver(std::uint64_t number);
   void sent(std::size_t message_bytes);
   void skip(Skip reason, std::size_t count = 1);
-  // The renderer is left: what it has will never come back.
+  // The session has left the renderer: frames there will never come back.
   void abandon();
 
   std::size_t in_flight() const { return entries_.size(); }
@@ -44,7 +44,7 @@ class FrameLedger {
 
  private:
   Metrics& metrics_;
-  std::deque<Entry> entries_;  // one that renders, one that waits, and results on their way here
+  std::deque<Entry> entries_;  // one being rendered, one waiting, and results not yet delivered
   std::uint64_t received_ = 0, sent_ = 0, skipped_ = 0;
 };
 

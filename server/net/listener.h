@@ -1,5 +1,5 @@
-// Lets clients in: accepts connections, refuses those above the caps with Busy before anything is
-// kept for them, and hands the others on.
+// Accepts clients' connections. Refuses those above the caps with Busy, before anything is
+// allocated for them, and hands the others on.
 #pragma once
 
 #include <boost/asio/io_context.hpp>
@@ -32,7 +32,7 @@ class Listener {
   ConnectionLimits& limits_;
   Metrics& metrics_;
   OnAdmitted on_admitted_;
-  std::string busy_;  // encoded once: refusing must cost nothing
+  std::string busy_;  // encoded once, so that refusing is cheap
   AcceptLoop accept_loop_;
 };
 

@@ -1,4 +1,4 @@
-// Everything the server counts about itself, in Prometheus' terms. May be used from any thread.
+// The server's metrics, for Prometheus. May be used from any thread.
 #pragma once
 
 #include <cstddef>
@@ -10,10 +10,10 @@
 
 namespace amalgam::net {
 
-// Why a frame that arrived was never answered by a composite.
+// Why a received frame was never answered by a composite.
 enum class Skip {
-  ReplacedBeforeRender,  // a newer frame came while it waited
-  ReplacedBeforeWrite,   // a newer composite came while its own waited
+  ReplacedBeforeRender,  // by a newer frame while it waited
+  ReplacedBeforeWrite,   // by a newer composite while its own waited
   Refused,               // answered by an Error
   Draining,
   Closed,  // the session ended first
@@ -26,7 +26,7 @@ class Metrics {
 
   void session_opened();
   void session_closed();
-  void refused(const std::string& reason);  // a connection or session, before it was served
+  void refused(const std::string& reason);  // a connection or session that was not served
   void error_sent(protocol::Error::Code code);
   void capture_time_clamped();
   void pose_held_or_dropped(std::size_t count);

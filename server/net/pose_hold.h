@@ -1,6 +1,6 @@
-// Which poses of a frame may be rendered with: the usable ones, and for a marker whose pose is
-// unusable or missing the last good one as long as it is fresh, so that neither a bad value nor a
-// marker lost for a moment makes an object blink.
+// Selects the poses to render a frame with: the usable ones, and for markers with an unusable or
+// missing pose the last good one while it is fresh. So objects do not blink at a bad value or a
+// marker lost for a moment.
 #pragma once
 
 #include <chrono>
@@ -18,10 +18,10 @@ class PoseHold {
   explicit PoseHold(std::chrono::milliseconds hold) : hold_(hold) {}
 
   struct Resolved {
-    // In the frame's order, then those held in ascending order of markers; one for each marker,
-    // the first usable one.
+    // One for each marker, its first usable one: in the frame's order, then held poses by ascending
+    // marker.
     std::vector<common::MarkerPose> poses;
-    std::vector<int> rejected;  // markers whose pose is unusable, whether held or not
+    std::vector<int> rejected;  // markers with an unusable pose, held or not
   };
   Resolved resolve(const std::vector<common::MarkerPose>& poses, Time now);
 
@@ -33,7 +33,7 @@ class PoseHold {
   void forget_oldest();
 
   std::chrono::milliseconds hold_;
-  std::map<int, Held> last_good_;  // never older than hold_, never more than fit into a frame
+  std::map<int, Held> last_good_;  // not older than hold_, not more than fit into a frame
 };
 
 }  // namespace amalgam::net

@@ -1,5 +1,5 @@
-// The network side as a whole: listener, sessions, admin port, signals and a clean end. One thread
-// calls run() and is the network thread; the other functions may be called from any thread.
+// The whole network side: listener, sessions, admin port, signals and shutdown. One thread calls
+// run() and is the network thread; the other functions may be called from any thread.
 #pragma once
 
 #include <memory>
@@ -11,25 +11,25 @@ namespace amalgam::net {
 
 class Server {
  public:
-  // Takes both addresses and answers on the admin port, not ready yet, once run() is called. Throws
-  // std::runtime_error if an address cannot be had.
+  // Binds both addresses. Once run() is called the admin port answers, not ready yet. Throws
+  // std::runtime_error if an address cannot be bound.
   explicit Server(const ServerConfig& config);
   ~Server();
 
-  // Clients may connect as soon as this returns. Once only, and before drain() or stop(). Throws
+  // Clients may connect as soon as this returns. Call it once, before drain() or stop(). Throws
   // std::runtime_error. The service must outlive the Server.
   void serve(frame::FrameService& service);
 
   // Returns when the server has ended.
   void run();
 
-  // SIGTERM and SIGINT drain; a second one, or one while nothing is served yet, exits the process.
+  // SIGTERM and SIGINT drain. A second one, or one before serve(), exits the process.
   void drain_on_signals();
 
-  // Not ready at once, Draining to clients, frames in flight are finished; then run() returns,
-  // after ServerConfig::drain_timeout at the latest.
+  // Not ready from now on; sends Draining to clients and finishes frames in flight. Then run()
+  // returns, after ServerConfig::drain_timeout at the latest.
   void drain();
-  // The same without finishing anything.
+  // Ends without finishing frames.
   void stop();
 
   common::HostPort address() const;

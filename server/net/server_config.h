@@ -1,6 +1,5 @@
-// What an operator may set for the network side: where to listen, the token, and every limit that
-// is not part of the message format. Defaults are those of protocol/limits.h, which gives the
-// reasons.
+// The operator's settings for the network side: addresses, the token, and every limit that is not
+// part of the message format. protocol/limits.h gives the defaults and their reasons.
 #pragma once
 
 #include <chrono>
@@ -36,7 +35,7 @@ struct ServerConfig {
   common::HostPort listen{"127.0.0.1", 7447};
   common::HostPort admin{"127.0.0.1", 7448};
   std::string token;       // a secret: never logged; empty: clients need none
-  std::string ray_tracer;  // what renders, for the /state page
+  std::string ray_tracer;  // name and version, for the /state page
   SessionLimits session;
   ConnectionCaps connections;
   std::chrono::milliseconds drain_timeout = protocol::kDrainTimeout;

@@ -1,6 +1,5 @@
 // One client's conversation with the server, from its socket to the renderer and back: read, check,
-// submit; deliver, write. All of it runs on the network thread; the renderer's results are posted
-// there.
+// submit; deliver, write. Runs on the network thread; the renderer's results are posted there.
 #pragma once
 
 #include <boost/asio/ip/tcp.hpp>
@@ -30,7 +29,7 @@
 
 namespace amalgam::net {
 
-// What all sessions share. Outlives them.
+// Shared by all sessions. Outlives them.
 struct SessionContext {
   const ServerConfig& config;
   frame::FrameService& service;
@@ -55,16 +54,16 @@ class Session : public std::enable_shared_from_this<Session> {
   ~Session();
 
   void start();
-  // Takes no more frames, answers those it has, then ends.
+  // Accepts no more frames, answers those in flight, then ends.
   void drain(std::chrono::milliseconds deadline);
-  // At once. The session calls context.on_end exactly once, here or by itself.
+  // Ends at once. The session calls context.on_end exactly once, here or by itself.
   void end();
   SessionReport report() const;
 
  private:
   using Clock = std::chrono::steady_clock;
   using ErrorCode = boost::system::error_code;
-  enum class State { AwaitingHello, Running, Draining, Closing, Ended };  // only ever forward
+  enum class State { AwaitingHello, Running, Draining, Closing, Ended };  // in this order only
 
   void read();
   void on_read(const ErrorCode& ec, std::size_t size);

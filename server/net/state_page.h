@@ -1,4 +1,4 @@
-// The /state page: what the server is doing, as JSON for people and scripts. Holds no secret.
+// The /state page: the server's state as JSON, for people and scripts. Contains no secret.
 #pragma once
 
 #include <chrono>

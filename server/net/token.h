@@ -1,4 +1,4 @@
-// The shared secret that admits clients, compared so that the time taken tells nothing about it.
+// Compares the shared secret that admits clients. The time taken reveals nothing about it.
 #pragma once
 
 #include <string_view>

@@ -16,8 +16,9 @@ using protocol::Error;
 void check_size(std::uint32_t width, std::uint32_t height, Error::Code code) {
   if (width > protocol::kMaxSide || height > protocol::kMaxSide ||
       std::uint64_t{width} * height > protocol::kMaxPixels) {
+    const std::string side = std::to_string(protocol::kMaxSide);
     throw ClientError(code, "images of " + std::to_string(width) + " x " + std::to_string(height) +
-                                " pixels; at most 2048 x 2048 are accepted");
+                                " pixels; at most " + side + " x " + side + " are accepted");
   }
 }
 
@@ -25,7 +26,9 @@ common::CameraModel camera_from(const protocol::Camera& wire) {
   check_size(wire.width(), wire.height(), Error::BAD_HELLO);
   if (wire.distortion_size() > protocol::kMaxDistortion) {
     throw ClientError(Error::BAD_HELLO, std::to_string(wire.distortion_size()) +
-                                            " distortion coefficients; at most 12 are accepted");
+                                            " distortion coefficients; at most " +
+                                            std::to_string(protocol::kMaxDistortion) +
+                                            " are accepted");
   }
   return protocol::from_message(wire);
 }
@@ -52,8 +55,9 @@ frame::ViewOptions view_options_from(const protocol::Hello& hello) {
   }
   if (hello.jpeg_quality() > protocol::kMaxJpegQuality) {
     throw ClientError(Error::BAD_HELLO, "a JPEG quality of " +
-                                            std::to_string(hello.jpeg_quality()) +
-                                            "; 1 to 100 are accepted, 0 is the default");
+                                            std::to_string(hello.jpeg_quality()) + "; 1 to " +
+                                            std::to_string(protocol::kMaxJpegQuality) +
+                                            " are accepted, 0 is the default");
   }
   options.jpeg_quality = static_cast<int>(hello.jpeg_quality());
   return options;

@@ -1,5 +1,5 @@
-// Between the messages of the protocol and the types of the renderer. What comes from the wire is
-// checked here; ClientError says what was wrong.
+// Converts between protocol messages and the renderer's types. Checks messages from the wire; a
+// ClientError says what is wrong.
 #pragma once
 
 #include <chrono>
@@ -16,7 +16,7 @@
 
 namespace amalgam::net {
 
-// Version and token of a Hello; an empty token admits everybody. Throws
+// Checks version and token of a Hello; an empty token admits everybody. Throws
 // ClientError(UNSUPPORTED_VERSION or AUTH_FAILED).
 void check_admission(const protocol::Hello& hello, const std::string& token);
 
@@ -27,8 +27,8 @@ frame::ViewOptions view_options_from(const protocol::Hello& hello);
 // As sent, usable or not.
 std::vector<common::MarkerPose> poses_from(const protocol::CameraFrame& frame);
 
-// Throws ClientError(BAD_ENVIRONMENT) for a missing image and for a fish-eye lens that cannot be
-// used. The image itself is the renderer's to judge.
+// Throws ClientError(BAD_ENVIRONMENT) for a missing image or an unusable fish-eye lens. The
+// renderer checks the image itself.
 frame::EnvironmentInput environment_from(const protocol::Environment& environment);
 
 frame::Bytes bytes_from(std::string_view bytes);
@@ -43,7 +43,7 @@ protocol::Envelope error_message(const ClientError& error);
 // The error of a frame with unusable poses of these markers.
 ClientError poses_rejected(const std::vector<int>& markers, std::uint64_t frame_id);
 
-// All but what the session knows: ids, times, poses and skipped frames.
+// Without the fields that the session fills: ids, times, poses and skipped frames.
 protocol::Composite composite_from(const frame::FrameOutput& output);
 
 }  // namespace amalgam::net

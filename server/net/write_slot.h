@@ -1,7 +1,6 @@
-// What a session may still have to write: short control messages in order, and at most one
-// composite that waits while another is being written. A newer composite replaces the one that
-// waits, because a mixed-reality viewer wants the present and not a queue. Knows nothing of
-// sockets.
+// A session's output: a queue of short control messages, and at most one composite that waits while
+// another is being written. A newer composite replaces the waiting one, because a mixed-reality
+// viewer wants the present and not a queue. Independent of sockets.
 #pragma once
 
 #include <cstddef>
@@ -17,21 +16,21 @@ class WriteSlot {
  public:
   explicit WriteSlot(std::size_t max_control) : max_control_(max_control) {}
 
-  // False if so many control messages wait already that this one is dropped.
+  // False if the queue is full and the message is dropped.
   bool put_control(const protocol::Envelope& message);
 
-  // True if a composite that waited has been replaced and will never be written.
+  // True if a waiting composite has been replaced and will never be written.
   bool put_composite(protocol::Composite composite);
 
-  // The next message, if there is one and no write is in flight; after it a write is in flight.
-  // Control goes first: it is small, and an Error should not wait behind an image. `skipped` goes
-  // into a composite only now, so that it counts what was replaced while waiting.
+  // Takes the next message, if there is one and no write is in flight, and begins its write.
+  // Control messages go first: they are small, and an Error should not wait behind an image. A
+  // composite gets `skipped` only now, so that it counts frames replaced while it waited.
   std::optional<std::string> begin_write(std::uint64_t skipped);
   void end_write() { writing_ = Writing::Nothing; }
 
-  // Drops the control messages that wait: room for a last Error, which nothing must keep out.
+  // Drops the waiting control messages, to make room for a last Error.
   void drop_control() { control_.clear(); }
-  // Drops the composite that waits; true if there was one.
+  // Drops the waiting composite; true if there was one.
   bool drop_composite();
 
   bool writing() const { return writing_ != Writing::Nothing; }

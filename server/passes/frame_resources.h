@@ -1,4 +1,4 @@
-// What flows between passes: declared here, once, before any pass.
+// The resources that flow between passes.
 #pragma once
 
 #include <cstdint>
@@ -21,9 +21,9 @@ namespace amalgam::passes {
 
 // One frame's geometry, ready to be drawn or traced.
 struct RenderView {
-  common::CameraModel camera;  // as the client has it, with distortion
-  common::CameraModel
-      ideal;  // what is rendered: pinhole, with a margin; equals camera without distortion
+  common::CameraModel camera;  // the client's, with distortion
+  // The camera that is rendered with: pinhole, with a margin; equals camera without distortion.
+  common::CameraModel ideal;
   scene::AnchoredScene scene;        // world-frame transforms and the camera
   std::vector<scene::Light> lights;  // environment and punctual lights, world frame
   int samples_per_side = 1;          // n: n x n samples a pixel on a regular grid, 1..4
@@ -32,15 +32,17 @@ struct RenderView {
 // A texture on the GPU, owned elsewhere and valid until the end of the frame.
 using DeviceImage = const gl::Texture*;
 
-// M_v and M_r at one value a *sample*: size ideal.size * samples_per_side, row 0 at the top.
+// M_v and M_r, one value for each *sample*: size ideal.size * samples_per_side, row 0 at the top.
 struct SampleMask {
-  static constexpr std::uint8_t kVirtual = gl::kVirtualFlag;    // M_v: the nearest one is virtual
-  static constexpr std::uint8_t kSpecular = gl::kSpecularFlag;  // M_r: the nearest one is specular
-  static constexpr std::uint8_t kSurface = gl::kSurfaceFlag;    // there is a surface
+  // M_v: the nearest surface is virtual
+  static constexpr std::uint8_t kVirtual = gl::kVirtualFlag;
+  // M_r: the nearest surface is specular
+  static constexpr std::uint8_t kSpecular = gl::kSpecularFlag;
+  static constexpr std::uint8_t kSurface = gl::kSurfaceFlag;  // there is a surface
   common::Image<std::uint8_t> flags;
 
-  // What there is in each tile of the ideal image, so that nobody has to walk over all samples
-  // again.
+  // The kinds of surfaces in each tile of the ideal image, so that no pass has to go over all
+  // samples again.
   static constexpr std::uint8_t kAnySpecular = 1;
   static constexpr std::uint8_t kAnyVirtualDiffuse = 2;
   static constexpr std::uint8_t kAnyRealDiffuse = 4;
@@ -53,7 +55,7 @@ struct RealDepth {
   common::Image32f z;
 };
 
-// Exists only if there is at least one such sample: for passes to need.
+// Absent if there is no such sample. Passes that work on them need it.
 struct SpecularSamples {
   std::uint64_t count = 0;
 };
@@ -61,10 +63,10 @@ struct DiffuseSamples {
   std::uint64_t count = 0;
 };
 
-// What the tracer asks before a shadow ray.
+// Tested by the tracer before it casts a shadow ray.
 using VirtualShadows = std::shared_ptr<const trace::ShadowBound>;
 
-// Layers in the ideal camera's geometry, one value a pixel.
+// Layers in the ideal camera's geometry, one value for each pixel.
 using Layers = core::Layers;
 
 }  // namespace amalgam::passes

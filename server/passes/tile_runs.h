@@ -1,4 +1,4 @@
-// Lists of tiles as runs of neighbours in a row of tiles, for calls that cost by the rectangle.
+// Groups listed tiles to runs of neighbours in a row, for calls whose cost is per rectangle.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ inline TileSamples samples_of(const core::TileGrid& grid, const TileRun& run, in
   return {first, grid.end_pixel(run.first + run.count - 1) * n - first};
 }
 
-// visit(TileRun) for tiles that are listed in ascending order.
+// Calls visit(TileRun) for each run. tiles: ascending.
 template <typename Visit>
 void for_each_run(const core::TileGrid& grid, const std::vector<std::size_t>& tiles,
                   const Visit& visit) {

@@ -1,8 +1,8 @@
-// A scene placed in front of one camera for one frame: poses in, world-frame transforms out.
+// Anchors a scene for one frame of one camera: from marker poses to world-frame transforms.
 //
-// The world frame is the world marker's (glTF axes: +Y out of the paper). If that marker is unseen
-// but others that objects are bound to are seen, the first of those (in order of id) stands in for
-// it, so that its objects still show.
+// The world frame is the world marker's (glTF axes: +Y out of the paper). If that marker is unseen,
+// the seen marker with the lowest id that objects are bound to stands in for it, so that its
+// objects still show.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ struct AnchoredScene {
   bool operator==(const AnchoredScene&) const = default;
 };
 
-// Unusable poses (common::is_usable) are ignored. Without any pose that something is bound to, no
+// Unusable poses (common::is_usable) are ignored. Without a pose of any marker that has objects, no
 // instance is anchored.
 AnchoredScene anchor_scene(const Scene& scene, std::span<const common::MarkerPose> poses);
 

@@ -1,4 +1,4 @@
-// Boxes around meshes: for deciding beforehand what cannot matter.
+// Bounding boxes of meshes, for conservative tests.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ Bounds bounds_of(const Mesh& mesh);
 // By Scene::meshes.
 std::vector<Bounds> mesh_bounds(const Scene& scene);
 
-// The box's corners where the mesh is placed.
+// The box's corners in the world.
 std::array<glm::dvec3, 8> placed_corners(const Bounds& bounds, const glm::mat4& world_from_mesh);
 
 }  // namespace amalgam::scene

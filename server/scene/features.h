@@ -1,5 +1,5 @@
-// What a scene contains, as far as it decides what a frame needs (design, "Leave out what a given
-// scene does not need").
+// The features of a scene that decide what a frame needs (design, "Leave out what a given scene
+// does not need").
 #pragma once
 
 #include <cstddef>
@@ -12,13 +12,13 @@ namespace amalgam::scene {
 
 struct SceneFeatures {
   bool has_virtual = false;   // anything to add to the picture
-  bool has_real = false;      // phantoms: something to shade, shadow and reflect
+  bool has_real = false;      // models of real objects, to shade, shadow and reflect
   bool has_specular = false;  // mirrors or dielectrics: something to trace
   bool has_real_specular = false;
   bool has_virtual_specular = false;
   bool has_transmissive = false;  // dielectrics: refraction, colored shadows
   bool has_diffuse = false;
-  bool has_real_diffuse = false;  // something that looks up the camera image
+  bool has_real_diffuse = false;  // real surfaces for look-ups
   bool has_textures = false;      // used by a material that is used
   bool has_normal_textures = false;
   bool has_vertex_colors = false;
@@ -33,7 +33,7 @@ struct SceneFeatures {
 
 SceneFeatures scene_features(const Scene& scene);
 
-// A thing that frames of this scene never need, and why.
+// Work that frames of this scene never need, and why.
 struct Absence {
   std::string what;    // "specular mask, trace, look-ups"
   std::string reason;  // "nothing in the scene is a mirror or transparent"

@@ -1,4 +1,4 @@
-// What a surface is made of, resolved from glTF into the three kinds that Amalgam renders.
+// A surface's material, resolved from glTF into the three kinds that Amalgam renders.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ constexpr bool is_specular(MaterialKind kind) {
   return kind != MaterialKind::Diffuse;
 }
 
-// What a material's textures are for. Values are indices and bit numbers.
+// The uses of a material's textures. Values are indices and bit numbers.
 enum class TextureSlot : std::uint8_t {
   BaseColor,          // sRGB; multiplies base_color, alpha too
   MetallicRoughness,  // linear; B multiplies metallic, G roughness
@@ -34,7 +34,7 @@ constexpr std::array<TextureSlot, kTextureSlots> kAllTextureSlots{
     TextureSlot::BaseColor, TextureSlot::MetallicRoughness, TextureSlot::Emissive,
     TextureSlot::Transmission, TextureSlot::Normal};
 
-// glTF's roughness up to which metals, and glass that scatters, show a mirror image.
+// The greatest glTF roughness at which metals, and glass that scatters, show a mirror image.
 constexpr float kSmoothRoughness = 0.2f;
 
 struct Material {
@@ -49,8 +49,9 @@ struct Material {
   std::optional<std::uint32_t> emissive_texture{};
   std::optional<std::uint32_t> transmission_texture{};
   std::optional<std::uint32_t> normal_texture{};
-  float normal_scale = 1.0f;          // of the normal texture's x and y
-  std::uint32_t second_uv_slots = 0;  // bit n: slot n is read at Mesh::second_uvs, not Mesh::uvs
+  float normal_scale = 1.0f;  // of the normal texture's x and y
+  // Bit n: slot n is read at Mesh::second_uvs, not Mesh::uvs.
+  std::uint32_t second_uv_slots = 0;
 
   glm::vec3 emission{0.0f};  // scene-linear radiance, strength included
   float metallic = 0.0f;     // [0,1]
@@ -59,10 +60,11 @@ struct Material {
   std::optional<float> alpha_cutoff{};  // set: alpha mode MASK
 
   // Dielectric only.
-  float transmission = 1.0f;  // [0,1]: share of the light not reflected that goes through; the rest
-                              // is scattered back diffusely
-  float ior = 1.5f;           // >= 1, relative to air; 0: infinite (a Mirror)
-  bool thin = false;          // no volume: rays pass undeviated
+  // [0,1]: transmitted share of the light that is not reflected; the rest is scattered back
+  // diffusely.
+  float transmission = 1.0f;
+  float ior = 1.5f;            // >= 1, relative to air; 0: infinite (a Mirror)
+  bool thin = false;           // no volume: rays pass undeviated
   glm::vec3 absorption{0.0f};  // Beer-Lambert sigma_a, 1/m (0 = clear)
 
   std::optional<std::uint32_t> texture(TextureSlot slot) const;
@@ -71,16 +73,15 @@ struct Material {
   }
 };
 
-// Of the formulas below, in C++ and in shaders (gl/shader_constants.h).
+// Constants of the formulas below, also in shaders (gl/shader_constants.h).
 constexpr float kDielectricF0 = 0.04f;  // glTF 2.0, appendix B: plastics and the like
 constexpr float kMinSquaredAlpha = 1e-6f;
 constexpr float kMaxPhongExponent = 1024.0f;
 
-// Phong's terms (eq. 4.6) of a diffuse material, for light of irradiance E arriving at cosine c >
-// 0:
+// Phong's terms (eq. 4.6) of a diffuse material. For irradiance E at cosine c > 0:
 //   radiance = E c (albedo / pi + specular (exponent + 2) / (2 pi) max(R.V, 0)^exponent)
-// The thesis's specular term has no cosine and no normalisation; with them the sum reflects no more
-// than it receives (Lafortune and Willems 1994), so that furnace tests can hold. glTF's roughness r
+// The thesis's specular term has no cosine and no normalisation. With them the surface reflects no
+// more than it receives (Lafortune and Willems 1994), as furnace tests need. glTF's roughness r
 // becomes the exponent by matching highlight widths: alpha = r^2, Blinn-Phong exponent 2/alpha^2 -
 // 2, Phong a quarter of it.
 struct PhongTerms {
@@ -89,9 +90,9 @@ struct PhongTerms {
   float exponent = 0.0f;  // [0, kMaxPhongExponent]
 };
 
-// Everything at the point: the material's factors times textures and vertex color.
+// Arguments: the material's factors times textures and vertex color at the point.
 PhongTerms phong_terms(const glm::vec3& base_color, float metallic, float roughness);
-// A material without a metallic-roughness texture.
+// For a material without a metallic-roughness texture.
 PhongTerms phong_terms(const Material& material, const glm::vec3& base_color);
 
 // Schlick's R_m of a dielectric against air: ((n - 1) / (n + 1))^2.

@@ -1,4 +1,4 @@
-// Copies a vertex with all the attributes that a mesh has, where one vertex must become two.
+// Duplicates a vertex with all its attributes.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace amalgam::scene {
 
-// Attributes that `from` lacks are not added. The same mesh may be both.
+// Attributes that `from` lacks are not added. to and from may be the same mesh.
 inline void append_vertex(Mesh& to, const Mesh& from, std::size_t vertex) {
   const auto copy = [vertex](auto& out, const auto& in) {
     if (in.empty()) return;

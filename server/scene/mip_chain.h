@@ -1,4 +1,4 @@
-// The smaller sizes of a texture, made once and on the CPU, so that both renderers read the same
+// The mip levels of a texture, made once and on the CPU, so that both renderers read the same
 // texels.
 #pragma once
 
@@ -11,9 +11,9 @@ namespace amalgam::scene {
 
 enum class TexelEncoding : std::uint8_t { Srgb, Linear };
 
-// Half the size each (rounded down, at least 1), down to 1x1. Every texel is the mean of the area
-// that it covers, in linear light, whatever the size is divisible by; encoded again as the texels
-// are. Alpha is linear always.
+// Levels of half the size each (rounded down, at least 1), down to 1x1. Every texel is the exact
+// mean, in linear light, of the area that it covers, also for odd sizes. Encoded like the input;
+// alpha is always linear.
 std::vector<common::ImageRgba8> make_mips(const common::ImageRgba8& texels, TexelEncoding encoding);
 
 }  // namespace amalgam::scene

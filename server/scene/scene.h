@@ -1,9 +1,8 @@
-// A loaded scene as plain data: what glTF said, checked and resolved, with nothing of any renderer
-// in it.
+// A loaded scene as plain data: glTF, checked and resolved, independent of any renderer.
 //
-// Metres, right-handed, +Y up. Everything stands in an *anchor* frame: the frame on a marker
-// (origin at its centre, +Y out of the paper, +X along its right), the world marker's unless a node
-// names another.
+// Metres, right-handed, +Y up. Everything is in an *anchor* frame: the frame on a marker (origin at
+// its centre, +Y out of the paper, +X along its right). This is the world marker's frame unless a
+// node names another marker.
 #pragma once
 
 #include <cstdint>
@@ -29,19 +28,19 @@ struct Mesh {
   std::string name;
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;  // as many as positions
-  // As many as positions, or none. Texture transforms are applied to the coordinates already.
+  // As many as positions, or none. Texture transforms are already applied.
   std::vector<glm::vec2> uvs;
-  std::vector<glm::vec2> second_uvs;  // for textures placed in another way (Material)
+  std::vector<glm::vec2> second_uvs;  // for textures with another placement (Material)
   std::vector<glm::vec4> colors;      // linear; multiply the base color, alpha too
-  // xyz along +u (zero where there is no telling), w = +-1: cross(normal, tangent) w is the normal
-  // texture's +y. Only for materials with a normal texture.
+  // xyz: along +u, zero if undefined. w = +-1: cross(normal, tangent) w is the normal texture's +y.
+  // Only for materials with a normal texture.
   std::vector<glm::vec4> tangents;
   std::vector<glm::uvec3> triangles;
 };
 
 enum class Wrap : std::uint8_t { Repeat, Mirror, Clamp };
 
-// The texture coordinates that a texture of the material is read at on this mesh; none: not at all.
+// The coordinates at which the material's texture is read on this mesh; empty: it is not read.
 inline const std::vector<glm::vec2>& uvs_of(const Mesh& mesh, const Material& material,
                                             TextureSlot slot) {
   return material.reads_second_uvs(slot) ? mesh.second_uvs : mesh.uvs;
@@ -54,7 +53,7 @@ inline bool has_texture(const Material& material, const Mesh& mesh, TextureSlot 
 // linear. uv (0, 0) is the top left corner.
 struct Texture {
   common::ImageRgba8 texels;
-  // Half the size each, down to 1x1; encoded as the texels. Empty: there is only the full size.
+  // Half the size each, down to 1x1; encoded like the texels. Empty: only the full size exists.
   std::vector<common::ImageRgba8> mips;
   Wrap wrap_u = Wrap::Repeat;
   Wrap wrap_v = Wrap::Repeat;
@@ -88,6 +87,7 @@ struct World {
 };
 
 struct Scene {
+  std::string path;  // of the file that it was read from; empty if it was made otherwise
   World world;
   std::vector<Mesh> meshes;
   std::vector<Material> materials;
@@ -95,7 +95,7 @@ struct Scene {
   std::vector<Instance> instances;
   std::vector<PunctualLight> punctual_lights;
   std::optional<Environment> environment;
-  std::vector<std::string> notes;  // what the loader repaired or ignored, a line each
+  std::vector<std::string> notes;  // the loader's repairs and ignored elements, one line each
 };
 
 }  // namespace amalgam::scene

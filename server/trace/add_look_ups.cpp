@@ -8,8 +8,8 @@
 
 namespace amalgam::trace {
 
-// In display-linear light, so that a mirror that magnifies the image shows what magnifying it
-// would.
+// Interpolates in display-linear light, so that a magnifying mirror shows what magnifying the image
+// itself would show.
 glm::vec3 camera_radiance(const common::ImageRgb8& image, const glm::vec2& pixel, float exposure) {
   const int x0 = std::clamp(static_cast<int>(std::floor(pixel.x)), 0, image.width() - 1);
   const int y0 = std::clamp(static_cast<int>(std::floor(pixel.y)), 0, image.height() - 1);
@@ -21,8 +21,8 @@ glm::vec3 camera_radiance(const common::ImageRgb8& image, const glm::vec2& pixel
   return scene::inverse_tone_map(color, exposure);
 }
 
-// Differential rendering along the ray: the camera's own color L, changed by what virtual objects
-// change. L + (m - r) in that order, so that m = r leaves L exactly.
+// Differential rendering along the ray: the camera's own color L plus the difference m - r that
+// virtual objects make. Evaluated as L + (m - r), so that m = r leaves L exactly.
 void add_look_ups(TilePaths& paths, const common::ImageRgb8& image, float exposure) {
   for (const LookUp& look_up : paths.look_ups) {
     const glm::vec3 seen = camera_radiance(image, look_up.pixel, exposure);

@@ -11,8 +11,8 @@
 namespace amalgam::trace {
 namespace {
 
-// Width of the band at the image's border over which the modelled color takes over, as a share of
-// the shorter side.
+// Width of the band along the image's border in which look-ups fade to the modelled color, as a
+// share of the shorter side.
 constexpr double kFadeShare = 0.04;
 
 float border_trust(const common::CameraModel& camera, const glm::dvec2& pixel) {
@@ -23,7 +23,7 @@ float border_trust(const common::CameraModel& camera, const glm::dvec2& pixel) {
   return static_cast<float>(x * x * (3.0 - 2.0 * x));
 }
 
-// Whether a real surface lies on the segment. Masked-out texels are none.
+// Whether a real surface occludes the segment. Alpha cut-outs do not.
 bool is_hidden(const EmbreeScene& scene, const glm::dvec3& start, const Ray& segment) {
   if (!scene.is_occluded(segment, Visible::Real)) return false;  // the common case
   bool hidden = false;
@@ -66,7 +66,7 @@ std::optional<CameraPlace> CameraLookup::find(const EmbreeScene& scene, const Su
 }
 
 // Sure only where the four depths around the point lie on one plane, on which 1/z is bilinear in
-// the image, and the point with them: next to an edge a ray decides.
+// the image, and the point lies on it too. Next to an edge a visibility ray decides.
 CameraLookup::DepthVerdict CameraLookup::judge_by_depth(const glm::dvec3& in_camera) const {
   if (view_.real_depth == nullptr) return DepthVerdict::Unsure;
   const auto at = common::project(view_.ideal, in_camera);
@@ -87,8 +87,8 @@ CameraLookup::DepthVerdict CameraLookup::judge_by_depth(const glm::dvec3& in_cam
   const double fx = at->x - x, fy = at->y - y;
   const double expected =
       std::lerp(std::lerp(inverse[0], inverse[1], fx), std::lerp(inverse[2], inverse[3], fx), fy);
-  constexpr double kSlack =
-      2e-4;  // relative: rounding of the rasteriser's depth and of the hit point
+  // Relative: rounding of the rasteriser's depth and of the hit point.
+  constexpr double kSlack = 2e-4;
   const bool on_one_plane = std::abs(bend) < kSlack * expected;
   const bool with_it = std::abs(in_camera.z * expected - 1.0) < kSlack;
   return on_one_plane && with_it ? DepthVerdict::Visible : DepthVerdict::Unsure;

@@ -1,8 +1,8 @@
-// Where the camera sees a real surface that a ray met (section 4.4, eq. 4.10).
+// Finds the pixel at which the camera sees a real surface that a ray met (section 4.4, eq. 4.10).
 //
-// The thesis projects and checks the image's border only. Here a point also has to be in front of
-// the camera (numerics A1, B15) and be what the camera sees there: on the side of the surface that
-// faces it and not hidden by other real geometry.
+// The thesis projects the point and checks the image's border only. Here the point must also lie in
+// front of the camera (numerics A1, B15), on the side of the surface that faces it, and not be
+// occluded by other real geometry.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -17,20 +17,18 @@
 
 namespace amalgam::trace {
 
-// The camera, and what it is known to see. The depth may be missing: then every point is decided by
-// a ray.
+// The camera and the real depth seen by it. Without depth, a visibility ray decides every point.
 struct CameraView {
   common::CameraModel camera;  // with distortion
   glm::dmat4 camera_from_world{1.0};
   common::CameraModel ideal;  // the camera of real_depth
-  const common::Image32f* real_depth =
-      nullptr;  // camera-frame z of the nearest real surface, metres
+  // Camera-frame z of the nearest real surface, metres.
+  const common::Image32f* real_depth = nullptr;
 };
 
 struct CameraPlace {
   glm::vec2 pixel{0.0f};  // pixel centres are integers
-  // (0, 1]: the camera's share of the color; falls to 0 over the last few pixels before the
-  // image's border.
+  // (0, 1]: the camera's share of the color. Falls to 0 over a band along the image's border.
   float trust = 0.0f;
 };
 
@@ -38,8 +36,8 @@ class CameraLookup {
  public:
   explicit CameraLookup(const CameraView& view);
 
-  // Nothing if the camera does not see the point. lookup_rays counts the rays that were needed to
-  // decide.
+  // Nothing if the camera does not see the point. Adds the visibility rays that it casts to
+  // lookup_rays.
   std::optional<CameraPlace> find(const EmbreeScene& scene, const SurfacePoint& point,
                                   std::uint64_t& lookup_rays) const;
 

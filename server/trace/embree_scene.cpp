@@ -67,8 +67,8 @@ glm::dmat3 normal_matrix(const glm::mat4& world_from_mesh) {
   return glm::determinant(m) < 0.0 ? -cofactors : cofactors;
 }
 
-// Debian's Embree asserts where it cannot work, also in what an instance's transform makes of the
-// ray: beyond 1.8e18 it drops primitives anyway, and instances are conditioned within 1e6.
+// Debian's Embree asserts on rays that it cannot trace, also after an instance's transform. Embree
+// drops primitives beyond 1.8e18, and instances have condition numbers up to 1e6.
 bool is_valid(const Ray& ray) {
   constexpr float kFarthest = 1e12f;
   const auto in_range = [](const glm::vec3& v) {
@@ -110,7 +110,7 @@ bool passes_light(const scene::Material& material) {
   return material.kind == scene::MaterialKind::Dielectric || material.alpha_cutoff.has_value();
 }
 
-// What find_all() hands through Embree to its filter.
+// Passed by find_all() through Embree to its filter.
 struct FindAllContext {
   RTCIntersectContext embree;  // first: Embree knows only this part
   const EmbreeScene* scene = nullptr;
@@ -118,7 +118,7 @@ struct FindAllContext {
   const std::uint8_t* ends_light = nullptr;
 };
 
-// Called for each surface on the way: writes it down and lets the ray go on.
+// Embree's filter for each surface on the ray: records it and lets the ray continue.
 void write_down(const RTCFilterFunctionNArguments* arguments) {
   const auto& context = *reinterpret_cast<const FindAllContext*>(arguments->context);
   const auto* ray = reinterpret_cast<const RTCRay*>(arguments->ray);

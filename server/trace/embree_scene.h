@@ -1,4 +1,4 @@
-// The scene as Embree sees it: one static BVH a mesh, and instances of them that poses move.
+// The scene in Embree: one static BVH for each mesh, and instances of them that poses move.
 //
 // The only user of Embree. World frame, metres.
 #pragma once
@@ -44,7 +44,7 @@ struct PlacedInstance {
 
   glm::dmat4 world_from_mesh{1.0};
   glm::dmat4 mesh_from_world{1.0};
-  // Carries normals: cofactors, so that singular scales cannot divide by zero, times the sign of
+  // Transforms normals. Cofactors, so that singular scales cannot divide by zero, times the sign of
   // the determinant, so that outside stays outside under mirroring (numerics B23).
   glm::dmat3 normal_from_mesh{1.0};
   double stretch = 1.0;  // largest element of the linear part
@@ -56,10 +56,11 @@ struct PlacedInstance {
   bool textured = false;  // the material varies over the surface: textures or vertex colors
 };
 
-// What a straight way meets. More than it has room for is not kept, but noticed.
+// The surfaces that a shadow ray passes, up to kMost. Further ones are only counted: see
+// overflowed().
 class PassedSurfaces {
  public:
-  static constexpr std::size_t kMost = 256;  // a bound against meshes that never end
+  static constexpr std::size_t kMost = 256;  // so that no mesh makes a ray endless
 
   void add(const Hit& hit) {
     if (count_ < kMost) hits_[count_] = hit;
@@ -76,29 +77,30 @@ class PassedSurfaces {
 
 class EmbreeScene {
  public:
-  // Builds the static BVHs. Throws std::runtime_error if Embree cannot be had.
+  // Builds the static BVHs. Throws std::runtime_error if Embree cannot start.
   explicit EmbreeScene(const scene::Scene& scene);
   ~EmbreeScene();
   EmbreeScene(const EmbreeScene&) = delete;
   EmbreeScene& operator=(const EmbreeScene&) = delete;
 
-  // Whether the instances are already where this frame has them.
+  // Whether all instances already have this frame's transforms.
   bool is_placed(const scene::AnchoredScene& anchored) const;
 
-  // Moves those that are not and commits the top level. Not to be called while rays are traced.
+  // Moves the instances that have not and commits the top level. Must not run while rays are
+  // traced.
   void place(const scene::AnchoredScene& anchored);
 
   // The nearest hit. Rays that are not finite meet nothing (numerics B12).
   std::optional<Hit> intersect(const Ray& ray, Visible visible) const;
   bool is_occluded(const Ray& ray, Visible visible) const;
 
-  // Every surface on the ray, in no order, edges and split triangles more than once. Ends early,
-  // and returns true, at a surface that light never passes and that is real: then the list is not
-  // complete.
+  // Every surface on the ray, unordered. Hits on edges and on split triangles occur more than once.
+  // Stops and returns true at a real surface that is opaque everywhere; the list is then
+  // incomplete.
   bool find_all(const Ray& ray, Visible visible, PassedSurfaces& found) const;
 
   const scene::Scene& scene() const { return scene_; }
-  // Whether light passes anything of the scene: glass, or surfaces with holes.
+  // Whether the scene has any surface that light can pass: glass or alpha cut-outs.
   bool anything_passes_light() const { return anything_passes_light_; }
   const PlacedInstance& placed(std::uint32_t instance) const { return placed_[instance]; }
   const MeshTriangle& triangle(const Hit& hit) const {
@@ -114,7 +116,7 @@ class EmbreeScene {
   std::vector<std::vector<MeshTriangle>> triangles_;  // by Scene::meshes
   // By Scene::instances.
   std::vector<PlacedInstance> placed_;
-  std::vector<std::uint8_t> ends_light_;  // real, and no light ever passes it
+  std::vector<std::uint8_t> ends_light_;  // real and opaque everywhere
   bool anything_passes_light_ = false;
   Placements last_placed_;
   std::unique_ptr<Impl> impl_;

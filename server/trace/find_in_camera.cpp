@@ -1,5 +1,5 @@
-// Verb: where the camera sees each real surface that a ray met (section 4.4). Its color there is
-// looked up when all rays are done (add_look_ups.h).
+// Verb: finds the pixel at which the camera sees each real surface that a ray met (section 4.4).
+// The color is looked up when all rays are done (add_look_ups.h).
 #include "trace/tile.h"
 
 namespace amalgam::trace {

@@ -1,4 +1,4 @@
-// Attributes of a triangle's corners at a point in it.
+// Interpolates the attributes of a triangle's corners.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -7,7 +7,7 @@
 
 namespace amalgam::trace {
 
-// barycentric: weights of the second and third corner, in the precision of what is interpolated.
+// barycentric: weights of the second and third corner, in the attribute's precision.
 template <typename V>
 V interpolate(const V& a, const V& b, const V& c,
               const glm::vec<2, typename V::value_type>& barycentric) {

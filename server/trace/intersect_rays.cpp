@@ -1,4 +1,4 @@
-// Verb: what each ray of the batch meets first.
+// Verb: finds the nearest hit of each ray of the batch.
 #include <glm/geometric.hpp>
 
 #include "trace/refine_hit.h"

@@ -1,5 +1,5 @@
-// The dielectrics that a ray is inside of, innermost last, so that an air bubble in glass or a
-// liquid in a cup refracts by the ratio of the two media that really meet there.
+// The dielectrics that a ray is inside, innermost last. With them an air bubble in glass, or a
+// liquid in a cup, refracts by the indices of the two media that meet at the surface.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@ namespace amalgam::trace {
 
 class Media {
  public:
-  // Deeper nesting than this forgets the outermost medium.
+  // Beyond this depth the outermost medium is forgotten.
   static constexpr std::size_t kMaxNested = 4;
 
   std::optional<std::uint32_t> innermost() const {
@@ -24,8 +24,8 @@ class Media {
     return next;
   }
 
-  // Leaves the innermost medium of that material. Leaving what was never entered (an open mesh)
-  // changes nothing.
+  // Leaves the innermost medium of that material. Leaving a medium that was never entered (an open
+  // mesh) changes nothing.
   Media left(std::uint32_t material) const {
     Media next = *this;
     for (std::size_t i = next.count_; i-- > 0;) {

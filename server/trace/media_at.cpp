@@ -9,7 +9,7 @@
 namespace amalgam::trace {
 namespace {
 
-// Materials that the way leaves without having entered them, innermost first.
+// Materials that the ray leaves without having entered them, innermost first.
 std::vector<std::uint32_t> materials_left(const EmbreeScene& scene, const glm::vec3& point,
                                           const glm::vec3& direction) {
   std::vector<std::uint32_t> entered, left;
@@ -36,7 +36,8 @@ std::vector<std::uint32_t> materials_left(const EmbreeScene& scene, const glm::v
 }  // namespace
 
 Media media_at(const EmbreeScene& scene, const glm::vec3& point) {
-  // To the corners of a tetrahedron, turned so that they run along no likely edge or plane. Unit.
+  // Unit, to the corners of a tetrahedron that is turned so that no likely edge or plane is
+  // parallel to them.
   constexpr glm::vec3 kDirections[] = {{0.611f, 0.730f, 0.306f},
                                        {0.532f, -0.690f, -0.491f},
                                        {-0.708f, 0.429f, -0.561f},

@@ -1,4 +1,4 @@
-// The media that a point lies in: what the camera's rays start with.
+// The media around a point: those that the camera's rays start in.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -8,9 +8,9 @@
 
 namespace amalgam::trace {
 
-// A way out of everything leaves each solid around the point once more than it enters it. If ways
-// in different directions do not agree there are open surfaces about, and the point counts as lying
-// in air.
+// A ray from the point to infinity leaves each solid around the point once more often than it
+// enters it. If rays in four directions disagree, a mesh is open, and the point counts as lying in
+// air.
 Media media_at(const EmbreeScene& scene, const glm::vec3& point);
 
 }  // namespace amalgam::trace

@@ -1,5 +1,5 @@
-// A triangle as the tracer reads it: everything side by side, because rays that bounce about meet
-// triangles in no order and wait for memory most of all.
+// A triangle as the tracer reads it, contiguous in memory: incoherent rays meet triangles in random
+// order and spend most of their time waiting for memory.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ struct MeshTriangle {
   std::array<glm::vec3, 3> corners;  // mesh frame, metres
   std::array<glm::vec3, 3> normals;  // of the corners, unit
 
-  // Asks for the triangle ahead of its use.
+  // Fetches the triangle into the cache ahead of its use.
   void prefetch() const {
     const char* bytes = reinterpret_cast<const char*>(this);
     __builtin_prefetch(bytes);

@@ -27,8 +27,8 @@ void Tile::generate_primary_rays() {
   std::reverse(waiting_.begin(), waiting_.end());
 }
 
-// The direction comes from the intrinsics in double (numerics B14); a pinhole sees something
-// through every pixel.
+// The direction comes from the intrinsics in double (numerics B14). A pinhole camera has one for
+// every pixel.
 void Tile::add_sample(const glm::ivec2& pixel, const glm::dvec2& at, bool first_of_pixel) {
   const glm::dmat4& world_from_camera = context_.world_from_camera;
   RayItem item;

@@ -1,4 +1,4 @@
-// The rays of a frame, written down: for measuring how long Embree alone needs for them.
+// The rays of a frame, recorded to measure how long Embree alone needs for them.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ struct LoggedRay {
   RayQuery query = RayQuery::Nearest;
 };
 
-// Tile after tile, in each tile in the order in which its verbs asked.
+// Tile by tile; within a tile in the order of the queries.
 struct RayLog {
   std::vector<LoggedRay> rays;
 };

@@ -1,13 +1,13 @@
-// Secondary rays start a little off the surface, so that they do not meet it again.
+// Offsets the origins of secondary rays from their surface, so that they do not meet it again.
 //
 // After Wächter and Binder (A Fast and Robust Method for Avoiding Self-Intersection, Ray Tracing
-// Gems, 2019, ch. 6): from a point made of barycentric coordinates, along the geometric normal, by
-// a number of units in the last place. They take 256 units of the *point's* coordinates and a fixed
-// amount near the origin, which suits any mesh but moves the ray sideways by what glass and mirrors
-// magnify to a fiftieth of a pixel. Here it is 32 units of what the point was *computed from*: its
-// triangle's corners and the instance's translation bound the rounding error, wherever the point
-// itself lies. The resolution limit that this brings (numerics B2): gaps below 4e-6 of the largest
-// of those coordinates are skipped.
+// Gems, 2019, ch. 6): from the point of the barycentric coordinates, along the geometric normal, by
+// a number of units in the last place. Their offset is 256 units of the *point's* coordinates, and
+// a fixed length near the origin. It suits any mesh, but glass and mirrors magnify the sideways
+// shift of the ray to a fiftieth of a pixel. Here the offset is 32 units of the largest *input*
+// coordinate: those of the triangle's corners and of the instance's translation bound the rounding
+// error, wherever the point lies. Resolution limit (numerics B2): gaps below 4e-6 of that
+// coordinate are skipped.
 #pragma once
 
 #include <glm/common.hpp>
@@ -18,22 +18,23 @@ namespace amalgam::trace {
 
 inline constexpr double kOffsetUnits = 32.0;
 
-// largest_coordinate: of all that the point was computed from, metres.
+// largest_coordinate: of the triangle's corners and the instance's translation, in the world,
+// metres.
 inline double offset_height(double largest_coordinate) {
   return kOffsetUnits / (1 << 23) * largest_coordinate;
 }
 
-// p: a point on the surface. normal: the geometric one, unit, either side. The origin lies on the
-// side that the ray leaves to.
+// p: a point on the surface. normal: geometric, unit, of either side. The result lies on the side
+// into which the ray leaves.
 inline glm::dvec3 offset_from_surface(const glm::dvec3& p, const glm::dvec3& normal,
                                       const glm::dvec3& direction, double height) {
   return p + (glm::dot(normal, direction) < 0.0 ? -height : height) * normal;
 }
 
-// The same height above the surface, reached along the ray.
+// The point on the ray at that height above the surface.
 inline glm::dvec3 offset_along_ray(const glm::dvec3& p, const glm::dvec3& normal,
                                    const glm::dvec3& direction, double height) {
-  constexpr double kMostGrazing = 1e-3;  // flatter rays stay within the height for long anyway
+  constexpr double kMostGrazing = 1e-3;  // flatter rays count as this flat
   return p + direction * (height / glm::max(glm::abs(glm::dot(normal, direction)), kMostGrazing));
 }
 

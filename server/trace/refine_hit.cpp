@@ -25,7 +25,7 @@ bool is_finite(const Hit& hit) {
          std::isfinite(hit.t);
 }
 
-// By how much the point lies beside the triangle, in barycentric coordinates.
+// By how much the point lies outside the triangle, in barycentric coordinates; negative inside.
 double beside(const Hit& hit) {
   const glm::dvec2& b = hit.barycentric;
   return std::max(-b.x, std::max(-b.y, b.x + b.y - 1.0));
@@ -33,8 +33,8 @@ double beside(const Hit& hit) {
 
 }  // namespace
 
-// Möller and Trumbore 1997, with the line carried into the mesh's frame: its direction is not unit
-// there, and t stays what it is in the world.
+// Möller and Trumbore 1997, with the line in the mesh's frame. Its direction is not normalised
+// there, so that t is the same as in the world.
 Hit in_plane_of(const EmbreeScene& scene, const Hit& hit, const glm::dvec3& start,
                 const glm::dvec3& direction) {
   const glm::dmat4& mesh_from_world = scene.placed(hit.instance).mesh_from_world;
@@ -52,8 +52,7 @@ Hit in_plane_of(const EmbreeScene& scene, const Hit& hit, const glm::dvec3& star
 
 namespace {
 
-// What lies there if another ray looks from nearby, where float is finer and nothing has to be
-// left.
+// Traces again from just before the hit, where float is finer and no offset is needed.
 std::optional<Hit> look_again(const EmbreeScene& scene, const Hit& near, const glm::dvec3& start,
                               const glm::dvec3& direction, Visible visible) {
   constexpr double kBack = 1e-3;
@@ -65,8 +64,8 @@ std::optional<Hit> look_again(const EmbreeScene& scene, const Hit& near, const g
   return in_plane_of(scene, *met, start, direction);
 }
 
-// The triangle's edge beside the line, and where the line passes it: seen at a flat angle, that is
-// far from where the line meets the triangle's plane.
+// The point of the triangle's edge nearest to the line. At a grazing angle it is far from the
+// line's intersection with the plane.
 Hit nearest_edge(const EmbreeScene& scene, Hit hit, const glm::dvec3& start,
                  const glm::dvec3& direction) {
   const glm::dvec2 inside = glm::max(hit.barycentric, glm::dvec2(0.0));

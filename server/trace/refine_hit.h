@@ -1,6 +1,7 @@
-// What a ray really meets. Embree traces in float and from a little off the surface that a ray
-// leaves (trace/ray_offset.h); curved mirrors and glass magnify that, at each bounce again. The
-// line itself is therefore kept in double, and only asked of Embree is which triangle it meets.
+// Refines Embree's hits to double precision. Embree traces in float, from an origin a little off
+// the surface that the ray leaves (trace/ray_offset.h). Curved mirrors and glass magnify both
+// errors at each bounce. The ray's exact line is therefore kept in double, Embree only finds the
+// triangle, and the point is computed here.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -9,17 +10,17 @@
 
 namespace amalgam::trace {
 
-// Where the line meets the plane of the triangle that the hit names, also beside the triangle. Not
-// finite where the line runs in the plane.
+// Intersection of the line with the plane of the hit's triangle; it may lie outside the triangle.
+// Not finite if the line is parallel to the plane.
 Hit in_plane_of(const EmbreeScene& scene, const Hit& hit, const glm::dvec3& start,
                 const glm::dvec3& direction);
 
-// The hit of the line that begins at start, with barycentric coordinates and t (from start) in
-// double: in the triangle that the traced ray met, or in its neighbour (of what is visible) if the
-// line passes beside that one. Where the line passes beside both, their edge; where it has no point
-// in common with the triangle that means anything (seen edge-on), the traced hit as it is.
+// The hit of the line from start, with barycentric coordinates and t (from start) in double. It
+// lies in the traced triangle, or in the visible neighbour if the line misses that triangle. If the
+// line misses both, the hit lies on the nearest point of the edge. If the triangle is seen edge-on
+// or missed by far, the traced hit is returned unchanged.
 //
-// traced.t is from start as well, as well as float knows it.
+// traced.t is from start too, with float's error.
 Hit refine_hit(const EmbreeScene& scene, const Hit& traced, const glm::dvec3& start,
                const glm::dvec3& direction, Visible visible);
 

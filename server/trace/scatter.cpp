@@ -1,4 +1,4 @@
-// What all specular surfaces have in common, and the children that they send on.
+// The part that all specular surfaces share, and the spawning of child rays.
 #include <algorithm>
 #include <limits>
 
@@ -29,9 +29,10 @@ void Tile::scatter(const RayItem& item, const MetSurface& met) {
   }
 }
 
-// What glass neither reflects nor lets through (its transmission texture) its surface scatters. It
-// is shaded as modelled and never looked up: the camera sees all of the surface there and not this
-// share of it. Where it is rough, all of that share, since it has no mirror image then.
+// Light that glass neither reflects nor transmits (transmission texture below 1) is scattered by
+// its surface. This share is shaded as modelled and never looked up, because the camera sees the
+// whole surface and not this share of it. A rough surface has no mirror image, so its share
+// includes k_s.
 void Tile::scatter_back(const RayItem& item, const MetSurface& met, float k_s) {
   const float share = is_rough(met.point) ? 1.0f : 1.0f - k_s;
   const glm::vec3 scattered = (1.0f - met.point.transmission) * share * met.weight;
@@ -40,8 +41,8 @@ void Tile::scatter_back(const RayItem& item, const MetSurface& met, float k_s) {
       {met.point, -glm::vec3(item.direction), scattered, item.sample, RealColor::Modelled});
 }
 
-// A child ray, or its end: beyond the depth limit or below the importance cut-off it takes the
-// environment.
+// Spawns a child ray. Beyond the depth limit or below the importance cut-off it takes the
+// environment instead.
 void Tile::spawn(const RayItem& parent, const MetSurface& met, const glm::dvec3& direction,
                  const glm::vec3& weight, RayKind kind, const Media& media) {
   const float share = importance(weight);

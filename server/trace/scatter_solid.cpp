@@ -19,8 +19,7 @@ void Tile::scatter_solid(const RayItem& item, const MetSurface& met, const glm::
   const auto& materials = request_.scene.scene().materials;
   const Media beyond =
       point.front ? item.media.entered(point.material) : item.media.left(point.material);
-  // A ray that meets the inner side without having entered (an open mesh) comes out of the glass
-  // all the same.
+  // A ray that meets the inner side without having entered (an open mesh) still leaves glass.
   const double eta_here = !point.front && !item.media.innermost()
                               ? double{materials[point.material].ior}
                               : index_of(materials, item.media);

@@ -10,12 +10,12 @@
 
 namespace amalgam::trace {
 
-// Whether light from there falls on the outside of the surface, by its geometric and by its shading
+// Whether the light falls on the viewed side of the surface, by both the geometric and the shading
 // normal.
 bool is_lit_from(const SurfacePoint& point, const glm::vec3& to_light);
 
-// Radiance towards `view` that the light causes if nothing is in its way; 0 if it is behind the
-// surface (is_lit_from). See scene/material.h for the terms.
+// Radiance towards `view` from an unoccluded light; 0 if the light is behind the surface
+// (is_lit_from). See scene/material.h for the terms.
 glm::vec3 phong_contribution(const scene::PhongTerms& terms, const SurfacePoint& point,
                              const glm::vec3& view, const glm::vec3& to_light,
                              const glm::vec3& irradiance);

@@ -1,4 +1,4 @@
-// Verb: what each hit of the batch does (section 3 of the method).
+// Verb: shades or scatters each hit of the batch (section 3 of the method).
 #include <glm/exponential.hpp>
 
 #include "trace/tile.h"
@@ -10,7 +10,7 @@ void Tile::shade_hits() {
     const RayItem& item = batch_[i];
     const bool primary = item.kind == RayKind::Primary;
     if (!hits_[i]) {
-      // Seen directly, nothing is there to draw: the camera image stays.
+      // A primary ray that misses draws nothing: the camera image stays.
       if (!primary)
         escaped_.push_back(
             {core::LightSource::Environment, glm::vec3(item.direction), item.weight, item.sample});
@@ -38,7 +38,7 @@ void Tile::shade_hits() {
     }
     if (primary)
       paths_.samples[item.sample].sees_real_diffuse = met.point.role == scene::Role::Real;
-    // Seen directly it is as the rasteriser draws it, which knows no media.
+    // Directly seen surfaces are not absorbed, because the rasteriser knows no media.
     diffuse_.push_back({met.point, -glm::vec3(item.direction), primary ? item.weight : met.weight,
                         item.sample, primary ? RealColor::UnderPixel : RealColor::LookedUp});
   }
@@ -49,8 +49,8 @@ void Tile::count_primary(const SurfacePoint& point, const scene::Material& mater
   if (scene::is_specular(material.kind)) ++counts_.primary_specular;
 }
 
-// Masked-out texels are not there. No surface was met, so the line goes on from where it started,
-// with its depth and weight; each step moves on along it, so this ends.
+// Alpha cut-out: the ray continues along the same line, with its depth and weight. Each step
+// advances along it, so this ends.
 void Tile::continue_through_cutout(const RayItem& item, const SurfacePoint& point) {
   RayItem next = item;
   next.ray.origin = point.ray_origin(item.direction);

@@ -15,9 +15,9 @@
 namespace amalgam::trace {
 namespace {
 
-// One solution: what the surfaces leave, and the optical depth of what lies between them. Depth is
-// summed with a sign (entering at t takes sigma t away, leaving adds it), so that no pairing of
-// surfaces is needed and their order does not matter.
+// Attenuation of one solution: the surfaces' transmittance and the optical depth between them.
+// Depth is summed with a sign: entering at t subtracts sigma t, leaving adds it. So surfaces need
+// no pairing and no order.
 struct Solution {
   glm::vec3 surfaces{1.0f};
   glm::vec3 optical_depth{0.0f};
@@ -33,7 +33,7 @@ struct Solution {
   }
 };
 
-// What one surface on the way does to the light.
+// Applies one surface on the shadow ray to the light.
 void pass_surface(const EmbreeScene& scene, const Hit& hit, const glm::dvec3& direction,
                   Solution& solution) {
   const SurfacePoint point = surface_point(scene, hit, direction);
@@ -58,8 +58,8 @@ bool is_front(const EmbreeScene& scene, const Hit& hit, const glm::dvec3& direct
   return glm::dot(scene.placed(hit.instance).normal_from_mesh * area, direction) < 0.0;
 }
 
-// On an edge Embree may meet both triangles, where the line enters or leaves once; and it may meet
-// a triangle twice that its BVH has split.
+// On an edge Embree may report both triangles, although the line enters or leaves once. It may also
+// report a triangle twice that its BVH has split.
 bool is_same(const EmbreeScene& scene, const Hit& a, const Hit& b, const glm::dvec3& direction) {
   constexpr double kSame = 4e-7;
   if (a.instance != b.instance || std::abs(a.t - b.t) > kSame * b.t) return false;
@@ -71,7 +71,7 @@ std::span<Hit> put_in_order(const EmbreeScene& scene, const glm::dvec3& start,
                             const glm::dvec3& direction, std::span<Hit> hits) {
   for (Hit& hit : hits) {
     const Hit on_line = in_plane_of(scene, hit, start, direction);
-    // Seen edge-on the plane says nothing, and Embree's answer stays.
+    // Edge-on triangles have no reliable intersection; Embree's stays.
     if (std::abs(on_line.t - hit.t) <= 1e-3 * hit.t) hit = on_line;
   }
   std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {
@@ -83,7 +83,7 @@ std::span<Hit> put_in_order(const EmbreeScene& scene, const glm::dvec3& start,
   return hits.first(static_cast<std::size_t>(last - hits.begin()));
 }
 
-// What the surfaces that find_all() met leave of the light, real and virtual ones apart.
+// Attenuation by the surfaces that find_all() met, real and virtual ones apart.
 struct Solutions {
   Solution real, virtual_only;
 };
@@ -101,7 +101,7 @@ Solutions pass_surfaces(const EmbreeScene& scene, const glm::dvec3& start, const
   return solutions;
 }
 
-// What the real surfaces on the way leave of the light.
+// Attenuation by the real surfaces on the ray.
 glm::vec3 real_attenuation(const EmbreeScene& scene, const glm::dvec3& start, const Ray& ray,
                            PassedSurfaces& surfaces) {
   if (!scene.anything_passes_light())

@@ -1,4 +1,4 @@
-// A cheap question before a shadow ray: can anything virtual be in the light's way at all?
+// A cheap conservative test before a shadow ray: can a virtual object occlude the light at all?
 #pragma once
 
 #include <cstddef>

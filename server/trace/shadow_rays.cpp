@@ -1,4 +1,5 @@
-// Verbs: a shadow ray from each diffuse hit to each light that may reach it, and what it brings.
+// Verbs: spawn a shadow ray from each diffuse hit to each light that may reach it, trace it, and
+// add the light's contribution.
 #include <glm/geometric.hpp>
 
 #include "trace/shade.h"
@@ -11,7 +12,7 @@ void Tile::spawn_shadow_rays() {
   radiance_.assign(diffuse_.size(), {});
   for (std::uint32_t d = 0; d < diffuse_.size(); ++d) {
     const SurfacePoint& point = diffuse_[d].point;
-    // What glows of glass was added where the ray met it.
+    // The emission of glass was added when the ray met it.
     if (!scene::is_specular(material(point.material).kind))
       radiance_[d] = {point.emission, point.emission};
     const ShadowBound* bound =

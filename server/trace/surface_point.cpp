@@ -19,16 +19,16 @@ glm::dvec3 unit(const glm::dvec3& v) {
   return v * (1.0 / std::sqrt(glm::dot(v, v)));
 }
 
-// A hit exactly on an edge belongs to two faces, and rounding can put it beyond the other one, from
-// where a secondary ray escapes. A millionth of the way towards the triangle's centre is inside, or
-// a few units of float in the last place where those are more. rounding: a unit as a share of the
-// triangle's size.
+// A hit exactly on an edge belongs to two faces. Rounding can put it behind the other face, where a
+// secondary ray escapes. So it moves towards the triangle's centre by a millionth of the way, or by
+// a few units in the last place of float if those are more. rounding: one such unit as a share of
+// the triangle's size.
 double share_of_way_inside(double rounding) {
   constexpr double kLeast = 1.0 / (1 << 20), kMost = 0.05, kUnits = 4.0;
   return std::clamp(kUnits * rounding, kLeast, kMost);
 }
 
-// What the material says where it is the same everywhere.
+// The properties of a material without textures or vertex colors.
 void take_factors(const scene::Material& material, SurfacePoint& point) {
   point.base_color = material.base_color;
   point.emission = material.emission;
@@ -54,8 +54,7 @@ glm::dvec3 valid_shading_normal(const glm::dvec3& geometric_normal,
   const double threshold = std::min(0.9 * glm::dot(geometric_normal, view), 0.01);
   const double height = glm::dot(geometric_normal, reflected);
   if (glm::dot(shading_normal, view) > 0.0 && height >= threshold) return shading_normal;
-  // Lift the reflected ray to the threshold; the normal that would reflect there lies half way to
-  // the view.
+  // Lift the reflected ray to the threshold. The normal for it lies half way to the view.
   const glm::dvec3 lifted = glm::normalize(reflected + (threshold - height) * geometric_normal);
   const glm::dvec3 half = view + lifted;
   const double length = glm::length(half);

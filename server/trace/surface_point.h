@@ -1,4 +1,4 @@
-// Where a ray met a surface, with all that shading asks about the place.
+// A ray's hit on a surface, with everything that shading needs.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,7 @@
 namespace amalgam::trace {
 
 struct SurfacePoint {
-  // Where a ray in this direction may start without meeting this surface again
-  // (trace/ray_offset.h).
+  // Origin of a ray in this direction that does not meet this surface again (trace/ray_offset.h).
   glm::vec3 ray_origin(const glm::dvec3& direction) const {
     return glm::vec3(offset_from_surface(inside, geometric_normal, direction, offset));
   }
@@ -23,11 +22,11 @@ struct SurfacePoint {
 
   // World, from barycentric coordinates and not from o + t d (numerics B1).
   glm::dvec3 position{0.0};
-  glm::dvec3 inside{0.0};            // the same a little away from the triangle's edges
-  double offset = 0.0;               // height above the surface that rays start at, metres
+  glm::dvec3 inside{0.0};            // the same, moved a little off the triangle's edges
+  double offset = 0.0;               // height above the surface at which rays start, metres
   glm::dvec3 geometric_normal{0.0};  // unit, on the side that the ray came from
-  glm::dvec3 shading_normal{
-      0.0};                    // unit, interpolated; turned over together with the geometric one
+  // Unit, interpolated; flipped together with the geometric one.
+  glm::dvec3 shading_normal{0.0};
   glm::vec4 base_color{1.0f};  // linear; alpha
   glm::vec3 emission{0.0f};    // scene-linear radiance
   float metallic = 0.0f, roughness = 1.0f;
@@ -37,8 +36,8 @@ struct SurfacePoint {
   bool front = true;  // the ray came from the outer side (counter-clockwise corners)
 };
 
-// direction: the ray's, unit. cone_width: metres across the ray's cone at the hit, which decides on
-// the textures' level of detail (scene/texture_lookup.h); 0: the finest.
+// direction: the ray's, unit. cone_width: width of the ray's cone at the hit, metres, for the
+// textures' level of detail (scene/texture_lookup.h); 0: the finest.
 SurfacePoint surface_point(const EmbreeScene& scene, const Hit& hit, const glm::dvec3& direction,
                            double cone_width = 0.0);
 
@@ -47,17 +46,18 @@ inline bool is_rough(const SurfacePoint& point) {
   return point.roughness > scene::kSmoothRoughness;
 }
 
-// What a rough surface does not let through has no mirror image: Phong's highlight stands for it.
+// Share of the light that takes part in mirror reflection. On rough glass, the share that is not
+// transmitted gets Phong's highlight instead.
 inline float mirror_share(const SurfacePoint& point) {
   return is_rough(point) ? point.transmission : 1.0f;
 }
 
-// What a diffuse surface does at the point, or what glass does with the light that it does not let
-// through: smooth glass is Lambertian, because its mirror image is traced.
+// Phong's terms of a diffuse surface, or of the light that glass does not transmit. For smooth
+// glass they are Lambertian, because its mirror image is traced.
 scene::PhongTerms phong_terms_at(const SurfacePoint& point, scene::MaterialKind kind);
 
-// Bends a shading normal until the reflection of the view about it leaves the surface at a small
-// angle at least (numerics B10: Keller's method with the threshold of Cycles'
+// Bends a shading normal so that the reflected ray leaves the geometric surface by at least a small
+// angle (numerics B10: Keller's method with the threshold of Cycles'
 // ensure_valid_specular_reflection). view: unit, towards the ray's origin, above the geometric
 // surface.
 glm::dvec3 valid_shading_normal(const glm::dvec3& geometric_normal,

@@ -65,7 +65,7 @@ glm::dvec3 Texels::bent_normal(const glm::dvec3& normal, const PlacedInstance& p
   const double length = glm::length(flat);
   if (!(length > scene::kMinTangentShare * glm::length(along))) return normal;
   const glm::dvec3 x = flat / length;
-  // Mirroring turns the normal outside again, and with it the cross product round.
+  // A mirroring transform keeps the normal outward, which reverses the cross product.
   const double mirrored = glm::determinant(linear) < 0.0 ? -1.0 : 1.0;
   const glm::dvec3 y = glm::cross(normal, x) * (tangent.w < 0.0f ? -mirrored : mirrored);
   const glm::dvec3 texel = 2.0 * glm::dvec3(sample(TextureSlot::Normal)) - 1.0;

@@ -1,6 +1,6 @@
-// What a hit surface's textures and vertex colors say: the material as it is at one point.
+// The material at a hit: its factors times its textures and vertex colors.
 //
-// shaders/surface_material.glsl says the same for the rasteriser.
+// shaders/surface_material.glsl is the rasteriser's counterpart.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -11,7 +11,7 @@
 
 namespace amalgam::trace {
 
-// How the ray met the triangle, as far as it decides on the level of detail.
+// The ray's footprint on the triangle, for the level of detail.
 struct TexelFootprint {
   float cosine = 1.0f;      // of the ray and the triangle's plane normal; any sign
   float cone_width = 0.0f;  // metres
@@ -27,8 +27,8 @@ class Texels {
   glm::vec2 metallic_roughness() const;
   float transmission() const;
 
-  // normal: the interpolated one, unit, in the world and outside. Unit again; bent by the normal
-  // texture if there is one and the mesh has a tangent there.
+  // normal: interpolated, unit, world frame, outward. Returns it bent by the normal texture, unit;
+  // unchanged without a normal texture or without a tangent there.
   glm::dvec3 bent_normal(const glm::dvec3& normal, const PlacedInstance& placed) const;
 
  private:

@@ -5,7 +5,7 @@
 namespace amalgam::trace {
 namespace {
 
-constexpr std::size_t kBatchSize = 64;  // what flows between the verbs stays in the first caches
+constexpr std::size_t kBatchSize = 64;  // so that the queues stay in the innermost caches
 
 }  // namespace
 

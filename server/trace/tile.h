@@ -10,30 +10,30 @@
 
 namespace amalgam::trace {
 
-// What all tiles of a frame are given.
+// Input that all tiles of a frame share.
 struct TileContext {
   const TraceRequest& request;
-  const CameraLookup* lookup = nullptr;  // null: real surfaces are seen as they are modelled
-  Media camera_media;                    // what the camera stands in
+  const CameraLookup* lookup = nullptr;  // null: no look-ups, real surfaces are shaded as modelled
+  Media camera_media;                    // those around the camera
   glm::dmat4 world_from_camera{1.0};
 };
 
-// A verb a file; this header and tile.cpp say in which order they work. One thread works on many
-// tiles, one after the other, with the same object, so that queues are made once.
+// Each verb has its own file; tile.cpp says their order. A thread uses one object for all its
+// tiles, so that queues are allocated once.
 class Tile {
  public:
   explicit Tile(const TileContext& context);
 
-  // Starts another tile of the context's picture.
+  // Starts another tile of the picture.
   void start(std::size_t tile);
 
-  // The whole way of the tile's samples, as a list of verbs.
+  // Traces the tile's samples to the end: the list of verbs.
   void trace();
 
-  // What was found; the caller may finish it in place.
+  // The result without the camera's colors, which the caller may add in place (add_look_ups.h).
   TilePaths& paths() { return paths_; }
   const PathCounts& counts() const { return counts_; }
-  // Adds the samples' shares to their pixels, if the request keeps them.
+  // Adds the samples' provenance to their pixels, if the request keeps it.
   void keep_provenance(core::ProvenanceImage& image) const;
   const std::vector<LoggedRay>& logged() const { return logged_; }
 
@@ -68,13 +68,13 @@ class Tile {
   const TileContext& context_;
   const TraceRequest& request_;
   core::TileGrid grid_;
-  double sample_spread_;  // angle between neighbouring samples, radians: how a ray's cone widens
+  double sample_spread_;  // angle between neighbouring samples, radians: the spread of ray cones
   std::size_t tile_ = 0;
 
   TilePaths paths_;
-  std::vector<core::Provenance> provenance_;  // by sample, if kept: shares of its weight
+  std::vector<core::Provenance> provenance_;  // by sample, if kept: shares of its light
 
-  // A stack: batches are taken from its end, which bounds its size by the depth.
+  // A stack: batches come from its end, so that the depth bounds its size.
   std::vector<RayItem> waiting_;
   std::vector<RayItem> batch_;
   std::vector<std::optional<Hit>> hits_;

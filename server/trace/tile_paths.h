@@ -1,5 +1,5 @@
-// What the rays of one tile found, apart from the camera's colors: while nothing moves, these stay
-// as they are and only the colors are looked up again.
+// The traced result of one tile without the camera's colors. While nothing moves it stays valid,
+// and only the colors are looked up again.
 #pragma once
 
 #include <cstddef>
@@ -10,18 +10,18 @@
 
 namespace amalgam::trace {
 
-// What a sample has gathered. Scene-linear, but I_e is display-linear.
+// The light of one sample. Scene-linear, except that I_e is display-linear.
 struct SampleResult {
   glm::vec3 mixed{0.0f};                   // I_m
   glm::vec3 real{0.0f};                    // I_r
   glm::vec3 environment_reflection{0.0f};  // I_e
   std::uint16_t pixel_x = 0, pixel_y = 0;  // of the picture
   bool met_virtual = false;                // M_v, eq. 4.9
-  bool sees_real_diffuse = false;          // directly
+  bool sees_real_diffuse = false;          // the primary ray does
   bool first_of_pixel = false;
 };
 
-// A real surface at the end of a ray, of which the camera sees the color.
+// A real surface at the end of a ray, visible to the camera.
 struct LookUp {
   glm::vec3 weight{0.0f};          // share of the sample's light
   std::uint32_t sample = 0;        // index into TilePaths::samples
@@ -33,7 +33,7 @@ struct LookUp {
 
 struct TilePaths {
   std::vector<SampleResult> samples;
-  std::vector<LookUp> look_ups;  // not yet in the samples
+  std::vector<LookUp> look_ups;  // not yet added to the samples
 
   std::size_t bytes() const {
     return samples.size() * sizeof(SampleResult) + look_ups.size() * sizeof(LookUp);

@@ -1,4 +1,4 @@
-// What the tracer is asked for and what it answers.
+// Input and output of the tracer.
 #pragma once
 
 #include <cstdint>
@@ -25,8 +25,8 @@ namespace amalgam::trace {
 
 struct TraceSettings {
   int max_depth = 10;  // specular surfaces that a ray may meet
-  // Share of a sample below which a branch ends: the largest at which the mean difference to the
-  // reference stays below 0.5/255 on each scene.
+  // Importance below which a branch ends. The default is the largest with a mean difference to the
+  // reference below 0.5/255 on each scene.
   float importance_cutoff = 0.05f;
   FresnelModel fresnel = FresnelModel::Schlick;
   bool operator==(const TraceSettings&) const = default;
@@ -35,43 +35,43 @@ struct TraceSettings {
 struct TraceRequest {
   const EmbreeScene& scene;
   std::span<const scene::Light> lights;
-  const scene::Environment* environment = nullptr;  // null: nothing is black
+  const scene::Environment* environment = nullptr;  // null: black
   common::CameraModel camera;                       // pinhole; primary rays go through its pixels
   glm::dmat4 camera_from_world{1.0};
-  int samples_per_side =
-      1;  // n: sample (i, j) of pixel (x, y) lies at x - 0.5 + (i + 0.5) / n, y likewise
+  // n: sample (i, j) of pixel (x, y) lies at x - 0.5 + (i + 0.5) / n, y likewise.
+  int samples_per_side = 1;
 
-  // Size camera * n; a sample is traced where (value & mask_bit) != 0. Null: every sample is.
+  // Size camera * n. Samples with (value & mask_bit) != 0 are traced. Null: all are.
   const common::Image<std::uint8_t>* mask = nullptr;
   std::uint8_t mask_bit = 0;
 
-  // Null: shadow rays are all the answer there is.
+  // Null: every shadow ray is traced.
   const ShadowBound* virtual_shadows = nullptr;
 
-  // Null: real surfaces are seen as they are modelled.
+  // Null: no look-ups, real surfaces are shaded as modelled.
   const CameraView* lookup = nullptr;
-  // Goes with lookup; as large as its camera.
+  // Set if lookup is; of its camera's size.
   const common::ImageRgb8* camera_image = nullptr;
   float exposure = 1.0f;
   TraceSettings settings{};
   bool keep_images = false;
   bool keep_provenance = false;
-  // 0: paths are not kept. Otherwise they are, unless they take more memory than this, in bytes.
+  // Bytes. Paths are kept if they take less memory than this; 0: never.
   std::size_t keep_paths_below = 0;
   RayLog* ray_log = nullptr;  // filled if given
 };
 
-// The buffers of the thesis, from the first sample of each traced pixel; 0 elsewhere.
+// The thesis's buffers, from the first sample of each traced pixel; 0 elsewhere.
 struct TracedImages {
   common::ImageRgb32f mixed;  // I_m, scene-linear
-  common::ImageRgba32f
-      real;  // I_r, scene-linear; alpha 1 where the camera sees a real diffuse surface directly
+  // I_r, scene-linear; alpha 1 where the primary ray meets a real diffuse surface.
+  common::ImageRgba32f real;
   common::ImageRgb32f environment_reflection;  // I_e, display-linear
   common::Image<std::uint8_t> met_virtual;     // M_v
 };
 
 struct TraceResult {
-  core::Layers layers;  // traced samples' share of each pixel; the rest is the rasteriser's
+  core::Layers layers;  // of the traced samples; the rasteriser adds the others
   PathCounts counts;
   std::uint64_t nonfinite = 0;               // sample values replaced by 0
   std::shared_ptr<const TracedPaths> paths;  // null: not kept

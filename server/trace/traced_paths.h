@@ -1,7 +1,7 @@
-// The paths of a whole frame, kept so that the next frame need not trace them again.
+// The paths of a whole frame, kept so that an equal frame need not trace them again.
 //
-// They hold as long as camera, objects, lights, environment and settings are the same. Colors of
-// the camera image and the exposure are not in them.
+// Valid as long as camera, objects, lights, environment and settings are the same. They do not
+// depend on the camera image's colors or on the exposure.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -12,12 +12,13 @@
 
 namespace amalgam::trace {
 
-// What tiles count.
+// Counts of one tile, or of all.
 struct PathCounts {
   core::RayCounts rays;
   std::uint64_t samples = 0;
   std::uint64_t primary_virtual = 0,
-                primary_specular = 0;  // samples whose first surface is so
+                // Samples whose first surface is virtual, or specular.
+      primary_specular = 0;
 
   PathCounts& operator+=(const PathCounts& other) {
     rays += other.rays;

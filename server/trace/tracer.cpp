@@ -30,7 +30,7 @@ TraceResult empty_result(const TraceRequest& request) {
   return result;
 }
 
-// Collects the tiles' paths until they are too many.
+// Collects the tiles' paths up to the memory limit.
 class PathKeeper {
  public:
   PathKeeper(const TraceRequest& request, std::size_t tiles) : limit_(request.keep_paths_below) {
@@ -47,7 +47,7 @@ class PathKeeper {
     if (bytes_ += paths.bytes(); bytes_ < limit_) paths_->tiles[tile] = paths;
   }
 
-  // Null if they were too many.
+  // Null if they exceeded it.
   std::shared_ptr<const TracedPaths> take(const PathCounts& counts) {
     if (paths_ == nullptr || bytes_ >= limit_) return nullptr;
     paths_->counts = counts;
@@ -107,7 +107,7 @@ TraceResult look_up_again(const TracedPaths& paths, const common::ImageRgb8& cam
   result.layers = core::Layers(paths.size);
   result.counts = paths.counts;
   result.counts.rays = {.reused = paths.counts.rays.cast()};
-  std::atomic<std::uint64_t> nonfinite = 0;  // a sum of integers: in any order
+  std::atomic<std::uint64_t> nonfinite = 0;  // integers: the order of the sum does not matter
   tbb::enumerable_thread_specific<TilePaths> workers;
   tbb::parallel_for(std::size_t{0}, paths.tiles.size(), [&](std::size_t i) {
     if (paths.tiles[i].samples.empty()) return;

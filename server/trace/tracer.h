@@ -1,8 +1,8 @@
-// Traces the samples that the rasteriser cannot draw: what mirrors and glass show (sections 4.2
-// to 4.4).
+// Traces the samples that the rasteriser cannot draw: mirrors and glass (sections 4.2 to 4.4).
 //
-// A tile of pixels is one task that owns its queues; its loop is a list of verbs over work items.
-// Sums are made in a fixed order, so images are bit-equal for any number of threads (numerics B25).
+// A tile of pixels is one task with its own queues of work items; its loop is a list of verbs over
+// them. Sums are made in a fixed order, so images are bit-equal for any number of threads (numerics
+// B25).
 #pragma once
 
 #include "trace/trace_request.h"
@@ -12,8 +12,8 @@ namespace amalgam::trace {
 // Runs on the caller's TBB arena.
 TraceResult trace(const TraceRequest& request);
 
-// The same result, to the bit, as tracing again where only the camera image and the exposure have
-// changed since the paths were kept. No ray is cast. Images and provenance are not made.
+// The result of tracing again, to the bit, if only the camera image and the exposure have changed
+// since the paths were kept. Casts no ray. Makes no images and no provenance.
 TraceResult look_up_again(const TracedPaths& paths, const common::ImageRgb8& camera_image,
                           float exposure);
 

@@ -1,5 +1,5 @@
-// All surfaces on a straight line, nearest first: for asking what lies between two points, and what
-// a point lies in. Shadow rays need no order while they go and take trace/shadow.h's way.
+// Visits the surfaces along a ray, nearest first. Visibility rays find occluders with it, and
+// media_at() the media around a point. Shadow rays need no order and use trace/shadow.h.
 #pragma once
 
 #include <cmath>
@@ -12,15 +12,15 @@
 
 namespace amalgam::trace {
 
-// More surfaces than this on one way are not asked for: a bound against meshes that never end.
+// The walk stops after this many surfaces, so that no mesh makes it endless.
 inline constexpr int kMaxSurfacesOnWay = 256;
 
-// Calls visit(const SurfacePoint&, t) for each surface that the ray meets, nearest first, masked
-// texels too. The surfaces are those of the line that begins at start and t is from there; the ray
-// lies on it and may begin a little later. It returns what the way may meet from there on, or
-// nothing if that was enough. The same ray goes on behind each hit, so that no surface is met twice
-// and none left out but such as lie at the very same t, or face the same way in one instance within
-// 4e-7 t of each other. Returns false if there were too many.
+// Calls visit(const SurfacePoint&, t) for each surface on the ray, alpha cut-outs included. t is
+// measured from start; the ray lies on the line from start and may begin a little later. visit
+// returns which objects (Visible) the walk may meet next, or nothing to stop. After each hit the
+// same ray continues behind it, so no surface is visited twice. Of surfaces at the same t, or of
+// one instance facing the same way within 4e-7 t of each other, one is visited. Returns false if
+// the walk was cut at kMaxSurfacesOnWay.
 template <typename Visit>
 bool walk_visibility(const EmbreeScene& scene, const glm::dvec3& start, Ray ray, Visible visible,
                      const Visit& visit) {
@@ -38,7 +38,7 @@ bool walk_visibility(const EmbreeScene& scene, const glm::dvec3& start, Ray ray,
     traced.t += ahead;
     const Hit on_line = refine_hit(scene, traced, start, direction, visible);
     const SurfacePoint point = surface_point(scene, on_line, direction);
-    // On an edge Embree may meet both triangles, where the line enters or leaves once.
+    // On an edge Embree may report both triangles, although the line enters or leaves once.
     constexpr double kSame = 4e-7;
     const bool again = on_line.instance == last.instance && point.front == last.front &&
                        std::abs(on_line.t - last.t) <= kSame * on_line.t;

@@ -1,4 +1,4 @@
-// What flows between the verbs of the tracer: declared here, before any of them.
+// The work items in the queues between the tracer's verbs.
 //
 // All colors are scene-linear unless they say display-linear. "Sample" is an index into the tile's
 // SampleResults (tile_paths.h).
@@ -17,38 +17,38 @@
 
 namespace amalgam::trace {
 
-// A weight as one number: its share of the sample's light.
+// A weight as a scalar: the mean share of the sample's light.
 inline float mean_channel(const glm::vec3& weight) {
   return (weight.x + weight.y + weight.z) / 3.0f;
 }
 
 enum class RayKind : std::uint8_t { Primary, Reflection, Refraction };
 
-// A ray on its way, with its share of the sample (Listing 4.1's payload, for work lists).
+// A ray to be traced, with its weight in the sample (the payload of Listing 4.1).
 struct RayItem {
-  // The line itself, from the surface that it leaves.
+  // The exact line, from the surface that it leaves.
   glm::dvec3 start{0.0};
   glm::dvec3 direction{0.0};  // unit
-  // What Embree is asked: from a little off that surface, or from behind what the line passed
-  // because it is masked out.
+  // The ray for Embree. It starts a little off that surface, or behind the alpha cut-outs that the
+  // line has passed.
   Ray ray;
-  glm::vec3 weight{
-      1.0f};    // product of the k_s and k_t so far; its largest channel is the importance
-  Media media;  // the dielectrics that the ray is inside of
-  double path_length = 0.0;  // metres from the camera to start: how wide the ray's cone is
+  // Product of the k_s and k_t so far; its largest channel is the importance.
+  glm::vec3 weight{1.0f};
+  Media media;               // the dielectrics that the ray is inside
+  double path_length = 0.0;  // metres from the camera to start: gives the width of the ray's cone
   std::uint32_t sample = 0;
   std::uint16_t depth = 0;  // specular surfaces met so far
   RayKind kind = RayKind::Primary;
 };
 
-// What a ray met, and with which share of its sample it arrived there.
+// A ray's hit, with the ray's weight on arrival.
 struct MetSurface {
   SurfacePoint point;
   glm::vec3 weight{0.0f};
   double path_length = 0.0;  // metres from the camera
 };
 
-// A ray that meets nothing any more, or is cut off: takes the environment in its direction.
+// A ray that left the scene or was cut off. It takes the environment in its direction.
 struct EscapedItem {
   core::LightSource source = core::LightSource::Environment;  // or CutOff
   glm::vec3 direction{0.0f};
@@ -56,36 +56,35 @@ struct EscapedItem {
   std::uint32_t sample = 0;
 };
 
-// Which color a real diffuse surface has.
+// Where the color of a real diffuse surface comes from.
 enum class RealColor : std::uint8_t {
-  LookedUp,    // that of the camera image, where the camera sees it
-  UnderPixel,  // seen directly: as it is modelled, and the composite puts the difference on the
-               // camera image
-  Modelled,    // the camera sees more there than this share of it
+  LookedUp,  // from the camera image, where the camera sees it
+  // Hit by a primary ray: shaded as modelled, and the composite adds D to the camera image.
+  UnderPixel,
+  Modelled,  // shaded as modelled: the camera sees more than this share
 };
 
-// A diffuse surface to be shaded: the only place that shadow rays start from.
+// A diffuse surface to be shaded. Shadow rays start only here.
 struct DiffuseItem {
   SurfacePoint point;
   glm::vec3 view{0.0f};  // unit, towards the ray's origin
   glm::vec3 weight{0.0f};
   std::uint32_t sample = 0;
   RealColor real_color = RealColor::LookedUp;
-  std::optional<CameraPlace> seen{};  // of a real surface: where the camera sees it
+  std::optional<CameraPlace> seen{};  // the pixel of a real surface that the camera sees
 
-  // The camera says what the surface looks like; all that is asked of the lights is what virtual
-  // objects change in it.
+  // The camera gives the surface's color. Of the lights, only the change by virtual objects counts.
   bool only_change_counts() const { return seen && seen->trust == 1.0f; }
 };
 
 struct ShadowItem {
   glm::dvec3 start{0.0};       // on the surface
-  Ray ray;                     // from a little further along
-  glm::vec3 irradiance{0.0f};  // on a surface facing the light, if nothing is in the way
+  Ray ray;                     // starts a little further along
+  glm::vec3 irradiance{0.0f};  // unoccluded, on a surface facing the light
   std::uint32_t diffuse = 0;   // index into the batch's DiffuseItems
 };
 
-// How much of a light arrives: with everything in the way, and with only what is real in the way
+// Transmittance from a light to a point: through all objects, and through the real ones only
 // (section 4.3).
 struct ShadowAttenuation {
   glm::vec3 mixed{1.0f};
@@ -93,8 +92,8 @@ struct ShadowAttenuation {
   bool differs() const { return mixed != real; }
 };
 
-// Sums of a diffuse item over the lights: over all of them, or, where only mixed - real will count,
-// over those that virtual objects change.
+// Radiance of a diffuse item, summed over the lights. If only_change_counts(), the sum skips lights
+// that virtual objects do not change.
 struct DiffuseRadiance {
   glm::vec3 mixed{0.0f};
   glm::vec3 real{0.0f};

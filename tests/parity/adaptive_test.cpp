@@ -7,6 +7,7 @@
 
 #include "parity/everything_case.h"
 #include "parity/rendering.h"
+#include "support/compare_images.h"
 #include "support/reference/relative_error.h"
 
 namespace amalgam::parity {
@@ -44,12 +45,14 @@ bool is_same_pixel(const LayerImages& a, const LayerImages& b, int x, int y) {
 struct Counts {
   std::size_t changed = 0, grazing = 0, wrong = 0;
   double worst = 0.0;
+  common::Image<double> errors;  // of changed pixels that do not graze
 };
 
 // Pixels that refinement has changed, against nine samples.
 Counts compare_changed(const LayerImages& once, const LayerImages& adaptive,
                        const reference::ReferenceImages& nine) {
   Counts counts;
+  counts.errors = common::Image<double>(nine.mixed.width(), nine.mixed.height());
   for (int y = 0; y < nine.mixed.height(); ++y) {
     for (int x = 0; x < nine.mixed.width(); ++x) {
       if (is_same_pixel(once, adaptive, x, y)) continue;
@@ -59,11 +62,22 @@ Counts compare_changed(const LayerImages& once, const LayerImages& adaptive,
         continue;
       }
       const double error = layer_error(adaptive, nine.layers, x, y);
+      counts.errors.at(x, y) = error;
       counts.worst = std::max(counts.worst, error);
       counts.wrong += error > kTolerance ? 1 : 0;
     }
   }
   return counts;
+}
+
+// Layer A, without its coverage.
+template <typename Image>
+common::ImageRgb32f colors_of(const Image& over) {
+  common::ImageRgb32f colors(over.width(), over.height());
+  for (std::size_t i = 0; i < colors.pixels().size(); ++i) {
+    colors.pixels()[i] = glm::vec3(over.pixels()[i]);
+  }
+  return colors;
 }
 
 void expect_refined_as_nine_samples(const ParityCase& parity_case, frame::RendererMode mode) {
@@ -72,8 +86,8 @@ void expect_refined_as_nine_samples(const ParityCase& parity_case, frame::Render
   const Rendering once = render(parity_case, settings);
   settings.adaptive_threshold = frame::kDefaultAdaptiveThreshold;
   const Rendering adaptive = render(parity_case, settings);
-  const Counts counts = compare_changed(layers_of(once), layers_of(adaptive),
-                                        reference_images(with_samples(parity_case, 3)));
+  const reference::ReferenceImages& nine = reference_images(with_samples(parity_case, 3));
+  const Counts counts = compare_changed(layers_of(once), layers_of(adaptive), nine);
 
   const auto pixels = static_cast<double>(parity_case.camera_image.pixels().size());
   const auto refined = static_cast<double>(adaptive.statistics.pixels.refined);
@@ -81,7 +95,9 @@ void expect_refined_as_nine_samples(const ParityCase& parity_case, frame::Render
             << std::setprecision(2) << 100.0 * refined / pixels << " % of the pixels, changed "
             << counts.changed << " pixels, of those grazing " << counts.grazing << ", wrong "
             << counts.wrong << ", worst error " << std::scientific << counts.worst << '\n';
-  EXPECT_EQ(counts.wrong, 0u);
+  EXPECT_EQ(counts.wrong, 0u) << test_support::show_failure(
+      "over", colors_of(layers_of(adaptive).over), colors_of(nine.layers.over), counts.errors,
+      kTolerance);
   EXPECT_LE(static_cast<double>(counts.changed), refined);
   EXPECT_LE(static_cast<double>(counts.grazing), kMostGrazing * pixels);
   EXPECT_GT(counts.changed, 0u);

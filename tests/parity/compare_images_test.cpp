@@ -3,9 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <array>
 #include <filesystem>
 #include <limits>
+#include <opencv2/imgcodecs.hpp>
+
+#include "codec/exr.h"
+#include "support/test_output.h"
 
 namespace amalgam::test_support {
 namespace {
@@ -61,21 +65,66 @@ TEST(CompareImages, NotANumberCannotHide) {
   }
 }
 
-TEST(CompareImages, WritesWhatFailed) {
-  const std::filesystem::path folder =
-      std::filesystem::temp_directory_path() / "amalgam-compare-images-test";
+TEST(CompareImages, SetsAsideAFewPixelsAndNoMore) {
+  const common::ImageRgb32f expected(10, 1, glm::vec3(0.0f));
+  common::ImageRgb32f actual(10, 1, glm::vec3(0.25f));
+  actual.at(3, 0) = actual.at(4, 0) = glm::vec3(9.0f);
+  const ImageComparison comparison = compare_images(actual, expected);
+  EXPECT_TRUE(comparison.within({0.5, 0.25, "", 2}));
+  EXPECT_FALSE(comparison.within({0.5, 0.25, "", 1}));
+  EXPECT_FALSE(comparison.within({0.5, 0.2, "", 2}));  // the mean of the other eight
+  actual.at(3, 0).r = std::numeric_limits<float>::infinity();
+  EXPECT_FALSE(compare_images(actual, expected).within({0.5, 0.25, "", 2}));
+}
+
+TEST(CompareImages, WritesWhatFailedAndRemovesItWhenItNoLongerFails) {
+  const std::filesystem::path folder = test_output_folder();
+  EXPECT_TRUE(folder.string().ends_with(
+      "/test_output/CompareImages.WritesWhatFailedAndRemovesItWhenItNoLongerFails"));
   std::filesystem::remove_all(folder);
-  const common::ImageRgb32f black(2, 2, glm::vec3(0.0f)), white(2, 2, glm::vec3(1.0f));
-  EXPECT_EQ(check_images("same", white, white, kNone, folder), "");
+  common::ImageRgb32f black(6, 2, glm::vec3(0.0f)), white(6, 2, glm::vec3(1.0f));
+  white.at(5, 1).g = 3.0f;
+  EXPECT_TRUE(images_agree("same", white, white, kNone));
   EXPECT_FALSE(std::filesystem::exists(folder));
-  const std::string text = check_images("other", white, black, kNone, folder);
-  EXPECT_NE(text.find("other: maximum 1"), std::string::npos) << text;
+
+  const testing::AssertionResult result = images_agree("other", white, black, kNone);
+  EXPECT_FALSE(result);
+  const std::string text = result.message();
+  EXPECT_NE(text.find("other: maximum 3"), std::string::npos) << text;
   EXPECT_NE(text.find("the same image"), std::string::npos) << text;
+  EXPECT_NE(text.find("at (5, 1); 12 of 12 pixels"), std::string::npos) << text;
   for (const char* kind : {"actual", "expected", "difference"}) {
-    EXPECT_TRUE(std::filesystem::exists(folder / "failed-images" /
-                                        (std::string("other-") + kind + ".exr")));
+    const std::filesystem::path file = folder / (std::string("other-") + kind + ".png");
+    EXPECT_NE(text.find(file.string()), std::string::npos) << text;
+    EXPECT_TRUE(std::filesystem::exists(file)) << file;
   }
-  std::filesystem::remove_all(folder);
+  EXPECT_EQ(codec::read_exr(folder / "other-actual.exr"), white);
+  EXPECT_EQ(codec::read_exr(folder / "other-expected.exr"), black);
+  EXPECT_EQ(codec::read_exr(folder / "other-difference.exr"), white);
+
+  EXPECT_TRUE(images_agree("other", white, white, kNone));
+  EXPECT_FALSE(std::filesystem::exists(folder));
+}
+
+TEST(CompareImages, PicturesOfFailuresCanBeLookedAt) {
+  common::ImageRgb32f expected(3, 1, glm::vec3(0.0f));
+  expected.at(1, 0) = {200.0f, 100.0f, 0.0f};
+  common::ImageRgb32f actual = expected;
+  actual.at(0, 0).b = 10.0f;
+  actual.at(2, 0).r = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_FALSE(images_agree("values", actual, expected, {1.0, 1.0, ""}));
+  const auto pixel = [&](const char* kind, int x) {
+    const auto path = test_output_folder() / (std::string("values-") + kind + ".png");
+    const auto bgr = cv::imread(path.string()).at<cv::Vec3b>(0, x);
+    return std::array<int, 3>{bgr[2], bgr[1], bgr[0]};
+  };
+  using Rgb = std::array<int, 3>;
+  EXPECT_EQ(pixel("expected", 1), (Rgb{255, 128, 0}));  // white is 200
+  EXPECT_EQ(pixel("expected", 0), (Rgb{0, 0, 0}));
+  EXPECT_EQ(pixel("actual", 2), (Rgb{255, 0, 255}));
+  EXPECT_EQ(pixel("difference", 0), (Rgb{0, 0, 128}));  // white is 20 times the tolerance
+  EXPECT_EQ(pixel("difference", 1), (Rgb{0, 0, 0}));
+  std::filesystem::remove_all(test_output_folder());
 }
 
 TEST(CompareImages, RefusesDifferentSizes) {

@@ -28,6 +28,18 @@ Color pixel_of(const frame::FrameBuffers& buffers, const std::string& name, int 
   return Color(static_cast<double>(std::get<common::Image32f>(found->second).at(x, y)));
 }
 
+// A whole buffer, likewise.
+common::ImageRgb32f picture_of(const frame::FrameBuffers& buffers, const std::string& name,
+                               const ReferenceImages& expected) {
+  common::ImageRgb32f picture(expected.mixed.width(), expected.mixed.height());
+  for (int y = 0; y < picture.height(); ++y) {
+    for (int x = 0; x < picture.width(); ++x) {
+      picture.at(x, y) = glm::vec3(pixel_of(buffers, name, x, y));
+    }
+  }
+  return picture;
+}
+
 double traced_error(const frame::FrameBuffers& buffers, const ReferenceImages& expected, int x,
                     int y) {
   const bool met_virtual = expected.virtual_mask.at(x, y) != 0;
@@ -73,6 +85,7 @@ void compare_traced(const frame::FrameBuffers& buffers, const ReferenceImages& e
                     frame::RendererMode mode, ParityRow& row) {
   std::vector<WrongPixel> wrong;
   double sum = 0.0;
+  row.traced_errors = common::Image<double>(expected.mixed.width(), expected.mixed.height());
   for (int y = 0; y < expected.mixed.height(); ++y) {
     for (int x = 0; x < expected.mixed.width(); ++x) {
       if (!is_traced(expected, mode, x, y)) continue;
@@ -89,6 +102,7 @@ void compare_traced(const frame::FrameBuffers& buffers, const ReferenceImages& e
         continue;
       }
       sum += error;
+      row.traced_errors.at(x, y) = error;
       row.traced_maximum = std::max(row.traced_maximum, error);
       if (error > kTracedTolerance) wrong.push_back({x, y, error});
     }
@@ -131,6 +145,8 @@ ParityRow compare_with_reference(const ParityCase& parity_case, frame::RendererM
   row.pixels = parity_case.camera_image.pixels().size();
   compare_traced(actual.buffers, expected, mode, row);
   compare_composites(actual.composite, expected, mode, row);
+  row.mixed = picture_of(actual.buffers, "mixed", expected);
+  row.real = picture_of(actual.buffers, "real", expected);
   row.composite = std::move(actual.composite);
   return row;
 }

@@ -11,6 +11,8 @@ namespace amalgam::parity {
 // A traced pixel agrees if every channel of I_m, I_e and, where M_v is 0, I_r (which eq. 4.5 uses
 // only there) is within this of the reference's (support/reference/relative_error.h).
 constexpr double kTracedTolerance = 2e-3;
+// Of traced pixels that are compared; a float's rounding, seen through a few surfaces.
+constexpr double kTracedMean = 2e-5;
 
 struct ParityRow {
   std::size_t pixels = 0;
@@ -30,8 +32,11 @@ struct ParityRow {
   std::size_t composite_wrong = 0;             // pixels off by more than 3
   std::size_t composite_wrong_rasterised = 0;  // of those: rasterised
 
-  // For a failing test: the worst pixels in words, and the picture.
+  // For a failing test: the worst pixels in words, the error of each traced pixel that counts, and
+  // the pictures.
   std::string worst;
+  common::Image<double> traced_errors;
+  common::ImageRgb32f mixed, real;
   common::ImageRgb8 composite;
 };
 

@@ -11,6 +11,7 @@
 #include "parity/materials_case.h"
 #include "parity/rendering.h"
 #include "parity/shadow_edges.h"
+#include "support/compare_images.h"
 
 namespace amalgam::parity {
 namespace {
@@ -24,6 +25,8 @@ constexpr double kGlassBand = 2.0 * (0.71 + 1.0) + 1.5;
 // The share of a map's error that may come from elsewhere: rounding, and circles that were missed.
 constexpr double kSlack = 1.05;
 
+constexpr int kLargestStep = 3;  // 1/255, between a composite and the reference's
+
 struct BandCounts {
   std::size_t pixels = 0;
   std::size_t wrong = 0;  // off by more than 3/255; of those:
@@ -31,7 +34,18 @@ struct BandCounts {
   std::size_t elsewhere = 0;
   double farthest = 0.0;  // texels
   std::string where;      // of those elsewhere
+  // For a failing test.
+  common::Image<double> steps_elsewhere;  // 1/255
+  common::ImageRgb8 composite;
 };
+
+// Without characters that a path should not have.
+std::string file_name(const ParityCase& parity_case) {
+  std::string name = parity_case.name;
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return c == '/' || c == ' '; }, '-');
+  return name;
+}
 
 int largest_step(const common::Rgb8& a, const common::Rgb8& b) {
   const glm::ivec3 step = glm::abs(glm::ivec3(a) - glm::ivec3(b));
@@ -60,9 +74,13 @@ BandCounts count_wrong_pixels(const ParityCase& parity_case, double band) {
   const ShadowEdges edges(parity_case);
   BandCounts counts;
   counts.pixels = actual.composite.pixels().size();
+  counts.composite = actual.composite;
+  counts.steps_elsewhere =
+      common::Image<double>(actual.composite.width(), actual.composite.height());
   for (int y = 0; y < actual.composite.height(); ++y) {
     for (int x = 0; x < actual.composite.width(); ++x) {
-      if (largest_step(actual.composite.at(x, y), expected.composite.at(x, y)) <= 3) continue;
+      const int step = largest_step(actual.composite.at(x, y), expected.composite.at(x, y));
+      if (step <= kLargestStep) continue;
       ++counts.wrong;
       if (expected.rim.at(x, y) != 0) {
         ++counts.at_rim;
@@ -78,6 +96,7 @@ BandCounts count_wrong_pixels(const ParityCase& parity_case, double band) {
         counts.farthest = std::max(counts.farthest, around.distance);
       } else {
         ++counts.elsewhere;
+        counts.steps_elsewhere.at(x, y) = step;
         counts.where += " (" + std::to_string(x) + ", " + std::to_string(y) + ")";
       }
     }
@@ -94,7 +113,13 @@ void expect_wrong_only_near_edges(const ParityCase& parity_case, double band) {
             << std::setprecision(2) << counts.farthest << " texels at most of " << band << "; "
             << counts.at_rim << " at rims, " << counts.grazing << " grazing, " << counts.elsewhere
             << " elsewhere\n";
-  EXPECT_EQ(counts.elsewhere, 0u) << counts.where;
+  EXPECT_EQ(counts.elsewhere, 0u) << counts.where << '\n'
+                                  << test_support::show_failure(
+                                         file_name(parity_case),
+                                         test_support::as_floats(counts.composite),
+                                         test_support::as_floats(
+                                             reference_images(parity_case).composite),
+                                         counts.steps_elsewhere, kLargestStep);
 }
 
 TEST(ShadowMaps, AreWrongOnlyNearEdgesOfShadows) {

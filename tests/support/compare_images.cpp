@@ -7,7 +7,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "codec/exr.h"
+#include "support/heat_map.h"
+#include "support/test_output.h"
 
 namespace amalgam::test_support {
 namespace {
@@ -33,7 +34,18 @@ std::ostream& operator<<(std::ostream& out, const glm::vec3& color) {
 }  // namespace
 
 bool ImageComparison::within(const Tolerance& tolerance) const {
-  return maximum <= tolerance.maximum && mean <= tolerance.mean;
+  if (!std::isfinite(maximum)) return false;
+  std::size_t over = 0;
+  double sum = 0.0;
+  for (const double difference : differences.pixels()) {
+    if (difference > tolerance.maximum) {
+      ++over;
+    } else {
+      sum += difference;
+    }
+  }
+  const std::size_t kept = compared - over;
+  return over <= tolerance.set_aside && sum <= tolerance.mean * static_cast<double>(kept);
 }
 
 std::string ImageComparison::describe() const {
@@ -53,6 +65,7 @@ ImageComparison compare_images(const common::ImageRgb32f& actual,
     throw std::invalid_argument("the images to compare differ in size");
   }
   ImageComparison result;
+  result.differences = common::Image<double>(actual.width(), actual.height());
   double sum = 0.0;
   for (int y = 0; y < actual.height(); ++y) {
     for (int x = 0; x < actual.width(); ++x) {
@@ -62,6 +75,7 @@ ImageComparison compare_images(const common::ImageRgb32f& actual,
       for (glm::length_t c = 0; c < 3; ++c) {
         difference = std::max(difference, channel_difference(a[c], e[c], options.relative_floor));
       }
+      result.differences.at(x, y) = difference;
       ++result.compared;
       sum += difference;
       if (difference > 0.0) result.worst.push_back({x, y, difference, a, e});
@@ -78,33 +92,53 @@ ImageComparison compare_images(const common::ImageRgb32f& actual,
   return result;
 }
 
-std::string check_images(const std::string& name, const common::ImageRgb32f& actual,
-                         const common::ImageRgb32f& expected, const Tolerance& tolerance,
-                         const std::filesystem::path& folder, const CompareOptions& options) {
+testing::AssertionResult images_agree(const std::string& name, const common::ImageRgb32f& actual,
+                                      const common::ImageRgb32f& expected,
+                                      const Tolerance& tolerance, const CompareOptions& options) {
   const ImageComparison comparison = compare_images(actual, expected, options);
-  if (comparison.within(tolerance)) return {};
-
-  common::ImageRgb32f difference(actual.width(), actual.height());
-  for (std::size_t i = 0; i < difference.pixels().size(); ++i) {
-    difference.pixels()[i] = actual.pixels()[i] - expected.pixels()[i];
+  if (comparison.within(tolerance)) {
+    // What is there is of an earlier run, unless this test has written it just now.
+    if (!testing::Test::HasFailure()) remove_test_output(name);
+    return testing::AssertionSuccess();
   }
-  const std::filesystem::path target = folder / "failed-images";
-  std::filesystem::create_directories(target);
-  codec::write_exr(target / (name + "-actual.exr"), actual);
-  codec::write_exr(target / (name + "-expected.exr"), expected);
-  codec::write_exr(target / (name + "-difference.exr"), difference);
-
   std::ostringstream text;
   text << name << ": " << comparison.describe() << "  allowed: maximum " << tolerance.maximum
-       << ", mean " << tolerance.mean << " (" << tolerance.reason << ")\n  images in "
-       << target.string();
-  return text.str();
+       << ", mean " << tolerance.mean;
+  if (tolerance.set_aside > 0) text << ", without " << tolerance.set_aside << " pixels";
+  text << " (" << tolerance.reason << ")\n"
+       << show_failure(name, actual, expected, comparison.differences, tolerance.maximum);
+  return testing::AssertionFailure() << text.str();
+}
+
+testing::AssertionResult images_are_same(const std::string& name, const common::ImageRgb32f& actual,
+                                         const common::ImageRgb32f& expected) {
+  return images_agree(name, actual, expected, {0.0, 0.0, "the same picture to the bit"});
+}
+
+testing::AssertionResult images_are_same(const std::string& name, const common::ImageRgb8& actual,
+                                         const common::ImageRgb8& expected) {
+  return images_are_same(name, as_floats(actual), as_floats(expected));
+}
+
+std::string show_failure(const std::string& name, const common::ImageRgb32f& actual,
+                         const common::ImageRgb32f& expected,
+                         const common::Image<double>& differences, double tolerance) {
+  // The difference's picture is white from where the heat map turns to '@'.
+  return heat_map(differences, tolerance) +
+         write_test_output(name, actual, expected, 20.0 * tolerance);
 }
 
 common::ImageRgb32f as_floats(const common::ImageRgb8& image) {
   common::ImageRgb32f result(image.width(), image.height());
   std::transform(image.pixels().begin(), image.pixels().end(), result.pixels().begin(),
                  [](const common::Rgb8& pixel) { return glm::vec3(pixel); });
+  return result;
+}
+
+common::ImageRgb32f as_floats(const common::Image<glm::dvec3>& image) {
+  common::ImageRgb32f result(image.width(), image.height());
+  std::transform(image.pixels().begin(), image.pixels().end(), result.pixels().begin(),
+                 [](const glm::dvec3& pixel) { return glm::vec3(pixel); });
   return result;
 }
 

@@ -2,8 +2,9 @@
 // infinitely wrong.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,11 @@ namespace amalgam::test_support {
 // What a comparison allows, and why it allows that.
 struct Tolerance {
   double maximum = 0.0;
-  double mean = 0.0;
+  double mean = 0.0;  // of the pixels that are not set aside
   std::string reason;
+  // So many pixels may differ by more than the maximum, but not infinitely, and are set aside: for
+  // edges, on whose other side a sample may fall.
+  std::size_t set_aside = 0;
 };
 
 struct PixelDifference {
@@ -29,6 +33,7 @@ struct ImageComparison {
   double mean = 0.0;
   std::size_t compared = 0;            // pixels
   std::vector<PixelDifference> worst;  // the ten worst, the worst first
+  common::Image<double> differences;   // 0 where pixels are left out
 
   bool within(const Tolerance& tolerance) const;
   std::string describe() const;  // several lines
@@ -46,13 +51,27 @@ ImageComparison compare_images(const common::ImageRgb32f& actual,
                                const common::ImageRgb32f& expected,
                                const CompareOptions& options = {});
 
-// An empty string if within tolerance. Otherwise what is wrong, and NAME-actual.exr,
-// NAME-expected.exr and NAME-difference.exr are written to folder/failed-images.
-std::string check_images(const std::string& name, const common::ImageRgb32f& actual,
-                         const common::ImageRgb32f& expected, const Tolerance& tolerance,
-                         const std::filesystem::path& folder, const CompareOptions& options = {});
+// For EXPECT_TRUE: success if within tolerance. Otherwise says what is wrong and shows what
+// show_failure() shows.
+testing::AssertionResult images_agree(const std::string& name, const common::ImageRgb32f& actual,
+                                      const common::ImageRgb32f& expected,
+                                      const Tolerance& tolerance,
+                                      const CompareOptions& options = {});
 
-// Bytes as numbers from 0 to 255.
+// Likewise for pictures that must be equal to the bit (0 is -0).
+testing::AssertionResult images_are_same(const std::string& name, const common::ImageRgb32f& actual,
+                                         const common::ImageRgb32f& expected);
+testing::AssertionResult images_are_same(const std::string& name, const common::ImageRgb8& actual,
+                                         const common::ImageRgb8& expected);
+
+// For a comparison of another kind that has failed: a heat map of its differences, and expected,
+// actual and difference pictures in test_output/TEST of the build folder (support/test_output.h).
+std::string show_failure(const std::string& name, const common::ImageRgb32f& actual,
+                         const common::ImageRgb32f& expected,
+                         const common::Image<double>& differences, double tolerance);
+
+// Bytes as numbers from 0 to 255; numbers of another type as float.
 common::ImageRgb32f as_floats(const common::ImageRgb8& image);
+common::ImageRgb32f as_floats(const common::Image<glm::dvec3>& image);
 
 }  // namespace amalgam::test_support

@@ -1,4 +1,4 @@
-// amalgam-inspect: what is in a scene, as the renderer will take it.
+// amalgam-inspect: the contents of a scene, as the renderer takes it.
 
 #include <CLI/CLI.hpp>
 #include <exception>

@@ -1,4 +1,4 @@
-// What amalgam-inspect says about a scene, for people and for programs.
+// amalgam-inspect's report on a scene, for people and for programs.
 #pragma once
 
 #include <iosfwd>
@@ -15,8 +15,8 @@ struct Inspection {
   scene::Scene scene;
   std::vector<scene::Light> environment_lights;
 
-  // How far lights are from the environment's own irradiance: those of this run, and for comparison
-  // the usual choices.
+  // The error of extracted lights against the environment's irradiance: of this run's choice, and
+  // of the usual choices for comparison.
   struct LightError {
     std::string choice;  // as --env-lights takes it
     std::size_t lights = 0;

@@ -15,7 +15,7 @@ namespace asio = boost::asio;
 using asio::ip::tcp;
 using protocol::Envelope;
 
-// For answers to come after the last frame, also from a slow machine.
+// Time for answers after the last frame, even from a slow machine.
 constexpr std::chrono::seconds kPatience{20};
 constexpr double kMarkerDistance = 0.4;  // metres, straight ahead
 // Frames that may wait behind the one being written: none. This allows for small messages.

@@ -1,4 +1,4 @@
-// One client of the load: sends frames at its rate over one connection and counts what comes back.
+// One client of the load: sends frames at its rate over one connection and counts the answers.
 #pragma once
 
 #include <boost/asio/io_context.hpp>

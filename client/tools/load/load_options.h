@@ -20,7 +20,7 @@ enum class Fault {
 struct LoadOptions {
   common::HostPort server;
   int clients = 1;
-  double rate = 30.0;        // frames a second and client
+  double rate = 30.0;        // frames a second, for each client
   std::uint64_t frames = 0;  // for each client; 0: until the duration is over
   std::chrono::milliseconds duration{10000};
   std::string image;  // a JPEG file; empty: mid grey, 640 x 480

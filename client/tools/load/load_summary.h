@@ -1,4 +1,4 @@
-// What became of all frames of all clients, as one JSON object.
+// The fate of all frames of all clients, as one JSON object.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +13,9 @@ struct LoadSummary {
   int welcomed = 0;
   int lost = 0;              // connections that failed or ended before their client was done
   std::uint64_t sent = 0;    // frames
-  std::uint64_t unsent = 0;  // due while the one before was still being written
+  std::uint64_t unsent = 0;  // due while the previous one was still being written
   std::uint64_t composited = 0;
-  std::uint64_t unchanged = 0;                  // of these: the bytes that were sent
+  std::uint64_t unchanged = 0;                  // of these: came back byte for byte
   std::uint64_t skipped = 0;                    // as the server counted them
   std::map<std::string, std::uint64_t> errors;  // by code
   std::vector<double> latencies_ms;             // capture to composite

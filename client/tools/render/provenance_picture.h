@@ -1,4 +1,4 @@
-// Where each pixel's light came from, as a picture for people.
+// A frame's provenance as a picture for people.
 #pragma once
 
 #include <filesystem>
@@ -7,8 +7,8 @@
 
 namespace amalgam::tools {
 
-// Writes a picture (.png, .jpg) of the mean of the sources' colors by their shares, with a legend
-// below. What nothing was drawn on is white. Throws std::runtime_error.
+// Writes a picture (.png, .jpg) with the mean of the sources' colors, weighted by their shares, and
+// a legend below. Pixels without provenance are white. Throws std::runtime_error.
 void write_provenance_picture(const core::ProvenanceImage& provenance,
                               const std::filesystem::path& file);
 

@@ -1,4 +1,4 @@
-// What amalgam-render reads besides the scene: a camera image, its calibration and poses.
+// amalgam-render's input besides the scene: a camera image, its calibration and poses.
 #pragma once
 
 #include <filesystem>
@@ -25,8 +25,8 @@ struct RenderInput {
   bool detected = false;  // poses come from markers found in the image
 };
 
-// Without an image: mid grey, seen from a fixed place above the world marker. Without poses: the
-// scene's markers are looked for in the image. Throws std::runtime_error with one line.
+// Without an image: mid grey, from a fixed place above the world marker. Without poses: detects the
+// scene's markers in the image. Throws std::runtime_error with one line.
 RenderInput load_render_input(const RenderInputOptions& options, const scene::Scene& scene);
 
 // {"poses":[{"marker":40,"rotation":[x,y,z,w],"translation":[x,y,z]}]}: camera_from_marker, OpenCV

@@ -1,4 +1,4 @@
-// What amalgam-render says about its frames: JSON for programs, a pass list for people.
+// amalgam-render's report on its frames: JSON for programs, a pass list for people.
 #pragma once
 
 #include <ostream>

@@ -1,4 +1,5 @@
-// Virtual onto real: I_f = A + (1 - a) I_c + D (eq. 4.5 in layers), in display-linear light.
+// Composites virtual onto real: I_f = A + (1 - a) I_c + D (eq. 4.5 in layers), in display-linear
+// light.
 #pragma once
 
 #include <cstdint>
@@ -12,20 +13,20 @@
 
 namespace amalgam::passes {
 
-// The composite, sRGB-encoded. Where all layers are 0 the camera's bytes stay what they are. Layers
-// and image must have one size.
+// The composite, sRGB-encoded. Where all layers are 0 the camera's bytes are unchanged. Layers and
+// image must have the same size.
 common::ImageRgb8 composite(const core::Layers& layers, common::ImageRgb8 camera_image);
 
 struct Composite {
   common::ImageRgb8 pixels;
-  std::vector<std::uint8_t> changed;  // by tile (core/tile_grid.h): 0 where the camera's bytes are
+  std::vector<std::uint8_t> changed;  // by tile (core/tile_grid.h): 0 if all bytes are the camera's
 };
 
 struct CompositeInputs {
   graph::Handle<Layers> layers;  // in the camera's geometry
   graph::Handle<CameraImage> camera_image;
-  bool even_if_unchanged = false;  // without layers the composite is the camera image, for a client
-                                   // that wants another quality
+  // Without layers the composite is the camera image, for a client that wants another quality.
+  bool even_if_unchanged = false;
 };
 
 graph::Handle<Composite> add_composite_pass(graph::FrameGraph& graph, const CompositeInputs& in);

@@ -1,5 +1,5 @@
-// The camera image as pixels, decoded only for who needs them: look-ups, the exposure meter, the
-// composite.
+// Decodes the camera image, on demand: look-ups, the exposure meter and the composite need its
+// pixels.
 #pragma once
 
 #include <cstddef>
@@ -26,12 +26,12 @@ using CameraCoefficients = codec::JpegCoefficients;
 struct DecodeInputs {
   const EncodedOrPixels& image;  // borrowed
   const common::CameraModel& camera;
-  bool keep_coefficients = false;  // the composite will be a patch of the camera's JPEG
+  bool keep_coefficients = false;  // to make the composite a patch of the camera's JPEG
 };
 
 struct DecodeOutputs {
   graph::Handle<CameraImage> camera_image;
-  // Absent: not asked for, no JPEG, or one that cannot be patched.
+  // Absent if not requested, or if the image is no JPEG or one that cannot be patched.
   graph::Handle<CameraCoefficients> coefficients;
 };
 

@@ -1,4 +1,4 @@
-// The composite as JPEG, for the wire.
+// Encodes the composite as JPEG, for the wire.
 #pragma once
 
 #include <cstddef>
@@ -16,10 +16,10 @@ struct EncodedImage {
 
 struct EncodeInputs {
   graph::Handle<Composite> composite;
-  // May be absent; otherwise the composite becomes a patch of the camera's JPEG: blocks without a
-  // change keep the camera's coefficients bit for bit, and the others take its quality.
+  // May be absent. Otherwise the composite is a patch of the camera's JPEG: unchanged blocks keep
+  // the camera's coefficients bit for bit, and the others take its quality.
   graph::Handle<CameraCoefficients> coefficients;
-  int quality = 90;  // 1 to 100, where all of the composite is encoded
+  int quality = 90;  // 1 to 100, if the whole composite is encoded
 };
 
 graph::Handle<EncodedImage> add_encode_pass(graph::FrameGraph& graph, const EncodeInputs& in);

@@ -1,4 +1,4 @@
-// One exposure a frame, for both images (numerics A4): fixed, or metered and smoothed over time.
+// One exposure for both images of a frame (numerics A4): fixed, or metered and smoothed over time.
 #pragma once
 
 #include <optional>
@@ -12,8 +12,8 @@ namespace amalgam::passes {
 // A view's exposure from frame to frame.
 class ExposureMemory {
  public:
-  // The first reading is taken as it is, later ones are approached by a quarter of the way (in
-  // stops) each frame. Without a reading the last value stays; 1 before any.
+  // Returns the first reading unchanged, then moves a quarter of the way (in stops) towards each
+  // later reading. Without a reading the last value stays; 1 before any.
   float update(std::optional<float> reading);
 
  private:
@@ -21,7 +21,7 @@ class ExposureMemory {
 };
 
 struct ExposureInputs {
-  std::optional<float> fixed;  // then nothing else is read
+  std::optional<float> fixed;  // if set, nothing else is read
   const common::CameraModel& camera;
   const common::CameraModel& ideal;
   graph::Handle<MeterGrid> grid;  // may be absent: no real surface in view

@@ -1,10 +1,10 @@
 // Automatic exposure: the real surfaces are the grey card, the camera image is the light meter.
 //
-// With L_c = TM^-1 of the camera's color at exposure 1 and I_r the modelled radiance of the real
-// surface seen there, the exposure e that makes e I_r = L_c is what lets virtual objects look as
-// bright as real ones. e is the median of L_c / I_r over the pixels where the camera sees a
-// modelled real surface: what the model does not know (markers, things on the desk) are outliers,
-// and the median, unlike the usual log average (numerics B18), does not move with them.
+// Let L_c = TM^-1 of the camera's color at exposure 1, and I_r the modelled radiance of the real
+// surface seen there. With the exposure e that makes e I_r = L_c, virtual objects look as bright as
+// real ones. e is the median of L_c / I_r over the pixels where the camera sees a modelled real
+// surface. Things that are not modelled (markers, objects on the desk) are outliers; the median,
+// unlike the usual log average (numerics B18), ignores them.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -24,11 +24,11 @@ struct MeterGrid {
   int samples_per_side = 1;
 };
 
-// Distance of grid entries, in samples, for about 5,000 entries at most.
+// Distance between grid entries, in samples, for about 5,000 entries at most.
 int meter_step(glm::ivec2 sample_size);
 
-// Nothing if no entry has a usable pair: then the exposure stays what it was, 1 at first. Pairs
-// with black, saturated or non-finite members do not count. The result lies in [1e-6, 1e6].
+// Nothing if no entry has a usable pair (L_c, I_r); the exposure then stays as it was, 1 at first.
+// Pairs with black, saturated or non-finite members do not count. The result lies in [1e-6, 1e6].
 std::optional<float> meter_exposure(const MeterGrid& grid, const common::CameraModel& ideal,
                                     const common::CameraModel& camera,
                                     const common::ImageRgb8& image);

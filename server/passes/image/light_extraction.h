@@ -1,4 +1,4 @@
-// The environment as lights: extracted once for each environment (section 5.3).
+// Extracts lights from the environment, once for each environment (section 5.3).
 #pragma once
 
 #include <optional>
@@ -13,8 +13,8 @@ namespace amalgam::passes {
 
 using EnvironmentLights = std::vector<scene::Light>;  // world frame
 
-// The lights of the environment there is; none until they have been extracted. Owned by the caller,
-// who empties it when the environment changes.
+// The current environment's lights; empty until they have been extracted. Owned by the caller, who
+// resets it when the environment changes.
 using EnvironmentLightCache = std::optional<EnvironmentLights>;
 
 struct LightExtractionInputs {

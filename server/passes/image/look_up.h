@@ -1,5 +1,5 @@
-// What mirrors and glass show while nothing moves: the paths of an earlier frame with the colors
-// of this frame's camera image. Takes the trace pass's place.
+// Replaces the trace pass while nothing moves: resolves an earlier frame's paths with the colors of
+// this frame's camera image.
 #pragma once
 
 #include <memory>

@@ -10,7 +10,7 @@ graph::Handle<Layers> add_merge_pass(graph::FrameGraph& graph, const MergeInputs
   builder.needs_any(in.traced);
   const auto out = builder.writes<Layers>("layers");
   builder.runs([in, out](const graph::Access& access) {
-    // Taken, not copied: nobody else reads either's layers.
+    // Taken, not copied: no other pass reads these layers.
     const bool rasterised = access.find(in.rasterised) != nullptr;
     Layers sum = rasterised ? access.take(in.rasterised) : Layers();
     if (access.find(in.traced) != nullptr) {

@@ -1,4 +1,4 @@
-// Rasterised and traced layers become one by adding (eq. 4.1, 4.2).
+// Adds the rasterised and the traced layers (eq. 4.1, 4.2).
 #pragma once
 
 #include "graph/frame_graph.h"

@@ -20,8 +20,8 @@ float layer_step(const core::Layers& layers, glm::ivec2 p, glm::ivec2 q) {
 
 bool is_other_surface(const trace::FirstHits& hits, glm::ivec2 p, glm::ivec2 q) {
   if (hits.instance.at(p.x, p.y) != hits.instance.at(q.x, q.y)) return true;
-  constexpr float kStep =
-      1.02f;  // a slanted surface changes its distance by less from pixel to pixel
+  // The distance of one slanted surface changes by less from pixel to pixel.
+  constexpr float kStep = 1.02f;
   const auto [near, far] = std::minmax(hits.distance.at(p.x, p.y), hits.distance.at(q.x, q.y));
   return std::isfinite(far) && far > kStep * near;
 }

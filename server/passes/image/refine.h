@@ -1,10 +1,10 @@
 // Adaptive super-sampling (Whitted 1980; the thesis's third future work): more samples only where
 // neighbours differ.
 //
-// The frame is made at one sample a pixel. Where a pixel differs from a neighbour in what it adds
-// to the picture, and so at silhouettes, edges of shadows and inside glass, all of its light is
-// traced again at n x n samples, diffuse surfaces included: the tracer shades them as the
-// rasteriser does. A shadow's edge thus comes from rays and not from the shadow map.
+// The frame is first rendered at one sample a pixel. Pixels whose layers differ from a neighbour's
+// (at silhouettes, at shadow edges, inside glass) are traced again at n x n samples. This includes
+// diffuse surfaces, which the tracer shades as the rasteriser does. So refined shadow edges come
+// from shadow rays and not from the shadow map.
 #pragma once
 
 #include <optional>
@@ -21,26 +21,26 @@ namespace amalgam::passes {
 
 inline constexpr int kAdaptiveSamplesPerSide = 3;
 
-// A step in the layers (display-linear) beyond which a neighbour may lie across a shadow's edge:
-// below it a byte differs by at most 3, even in black.
+// Difference of neighbours' layers (display-linear) above which a shadow's edge may lie between
+// them. Below it a byte differs by at most 3, even in black.
 inline constexpr float kShadowEdgeThreshold = 1e-3f;
 
-// 1 for each pixel that differs from its right, left, upper or lower neighbour: in color or
-// coverage of the layers by more than threshold (display-linear), or in the object that it sees or
-// its distance (by more than 2 %), if one of the two shows anything virtual at all.
-// Without hits only the layers count.
+// 1 for each pixel that differs from its right, left, upper or lower neighbour, if one of the two
+// shows anything virtual. They differ if color or coverage of the layers do by more than threshold
+// (display-linear), or if they see different objects or distances (by more than 2 %). hits: null to
+// compare only the layers.
 common::Image<std::uint8_t> find_edges(const core::Layers& layers, const trace::FirstHits* hits,
                                        float threshold);
 
-// The tiles that show something, and those around them: edges lie nowhere else. Ascending.
+// The tiles that exist in the layers and their neighbours: edges lie only there. Ascending.
 std::vector<std::size_t> tiles_with_neighbours(const core::Layers& layers);
 
 struct Refinement {
   core::RayCounts rays;  // first hits as primary
   std::uint64_t pixels = 0;
   std::uint64_t nonfinite = 0;
-  // Of the pixels taken again, if TraceInputs::keep_provenance.
-  common::Image<std::uint8_t> marked{};  // 1: taken again
+  // Of the refined pixels, if TraceInputs::keep_provenance.
+  common::Image<std::uint8_t> marked{};  // 1: refined
   std::optional<core::ProvenanceImage> provenance{};
 };
 
@@ -48,7 +48,7 @@ struct RefineInputs {
   TraceInputs trace;  // its specular and mask handles are not used
   float threshold = 0.0f;
   int samples_per_side = kAdaptiveSamplesPerSide;
-  bool by_surface = true;      // objects and distances count, not only the layers
+  bool by_surface = true;      // compare objects and distances too, not only the layers
   graph::Handle<Layers> base;  // merged, before refinement
 };
 

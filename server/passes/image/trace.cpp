@@ -90,7 +90,7 @@ graph::Handle<MeterGrid> add_traced_meter_pass(graph::FrameGraph& graph,
     for (int y = 0; y < entries.y; ++y) {
       for (int x = 0; x < entries.x; ++x) mask.at(entry(x, size.x), entry(y, size.y)) = 1;
     }
-    // Depth 0: only what is seen directly matters.
+    // Depth 0: only directly seen surfaces matter.
     const trace::TraceResult traced = trace::trace({
         .scene = *access.get(in.scene).scene,
         .lights = in.view.lights,

@@ -1,4 +1,4 @@
-// The tracer as a pass: what the specular samples of this frame show.
+// The tracer as a pass: traces the specular samples of a frame.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@
 
 namespace amalgam::passes {
 
-// An Embree scene whose instances are where this frame has them.
+// An Embree scene whose instances have this frame's transforms.
 struct PlacedScene {
   const trace::EmbreeScene* scene = nullptr;
 };
@@ -28,7 +28,7 @@ struct TraceInputs {
   trace::TraceSettings settings;
   bool keep_images = false;
   bool keep_provenance = false;
-  // 0: the trace pass keeps no paths; otherwise it does up to so many bytes (trace_request.h).
+  // Bytes: the trace pass keeps paths up to this size; 0: none (trace_request.h).
   std::size_t keep_paths_below = 0;
   trace::RayLog* ray_log = nullptr;
   graph::Handle<SpecularSamples> specular;
@@ -36,13 +36,15 @@ struct TraceInputs {
   graph::Handle<PlacedScene> scene;
   graph::Handle<CameraImage> camera_image;
   graph::Handle<float> exposure;
-  graph::Handle<RealDepth> real_depth;            // may be absent: look-ups then ask by rays
-  graph::Handle<VirtualShadows> virtual_shadows;  // may be absent: every shadow is asked by rays
+  // may be absent: look-ups then cast visibility rays
+  graph::Handle<RealDepth> real_depth;
+  graph::Handle<VirtualShadows> virtual_shadows;  // may be absent: every shadow ray is then cast
 };
 
 graph::Handle<trace::TraceResult> add_trace_pass(graph::FrameGraph& graph, const TraceInputs& in);
 
-// Which samples to trace: size ideal.size * per_side, those with the bit. Null flags: all.
+// The samples to trace: those with the bit in flags, of size ideal.size * per_side. Null flags:
+// all.
 struct TracedSamples {
   const common::Image<std::uint8_t>* flags = nullptr;
   std::uint8_t bit = 0;
@@ -50,10 +52,10 @@ struct TracedSamples {
   std::size_t keep_paths_below = 0;
 };
 
-// What every pass that calls trace_samples reads.
+// Declares the reads of a pass that calls trace_samples.
 void declare_trace_reads(graph::Builder& builder, const TraceInputs& in);
 
-// The tracing itself, for a pass that has called declare_trace_reads.
+// Traces, for a pass that has called declare_trace_reads.
 trace::TraceResult trace_samples(const TraceInputs& in, const graph::Access& access,
                                  const TracedSamples& samples);
 
@@ -63,7 +65,7 @@ struct TracedMeterInputs {
   graph::Handle<PlacedScene> scene;
 };
 
-// The exposure meter's grid by tracing, for where nothing is rasterised.
+// The exposure meter's grid by tracing, for modes without rasterising.
 graph::Handle<MeterGrid> add_traced_meter_pass(graph::FrameGraph& graph,
                                                const TracedMeterInputs& in);
 

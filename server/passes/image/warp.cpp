@@ -13,7 +13,7 @@ namespace {
 
 constexpr float kNowhere = std::numeric_limits<float>::quiet_NaN();
 
-// Places that are further out lie beside any image, and their integers must not overflow.
+// Places further out lie outside any image, and their integers would overflow.
 bool is_near(const glm::vec2& at) {
   return std::abs(at.x) < 1e6f && std::abs(at.y) < 1e6f;
 }
@@ -48,7 +48,7 @@ class LayerSampler {
     const float floor_x = std::floor(at.x), floor_y = std::floor(at.y);
     const int x = static_cast<int>(floor_x), y = static_cast<int>(floor_y);
     const float fx = at.x - floor_x, fy = at.y - floor_y;
-    // Most often all four are of one tile.
+    // Usually all four lie in one tile.
     const bool inside = x >= 0 && y >= 0 && x + 1 < layers_.size().x && y + 1 < layers_.size().y;
     if (inside && x % core::kTileSide != core::kTileSide - 1 &&
         y % core::kTileSide != core::kTileSide - 1) {
@@ -92,7 +92,7 @@ class LayerSampler {
   const Layers& layers_;
 };
 
-// From places in the ideal image of full size to those in the layers.
+// Maps places in the ideal image of full size to places in the layers.
 class Scaling {
  public:
   explicit Scaling(float scale)

@@ -1,6 +1,6 @@
-// From the geometry that layers were rendered in to the camera's own: through the lens, if it
-// distorts, and larger, if they were rendered at a lower resolution. The camera image is never
-// resampled; the layers are.
+// Warps the layers from the geometry that they were rendered in to the camera's: through the lens,
+// if it distorts, and scaled up, if they were rendered at a lower resolution. The camera image is
+// never resampled.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -13,12 +13,12 @@
 
 namespace amalgam::passes {
 
-// For each pixel of a camera, where it lies in the ideal image of full size.
+// For each pixel of the camera image, its place in the ideal image of full size.
 struct WarpMap {
   // Pixel centres are integers; NaN where the lens cannot be inverted.
   common::Image<glm::vec2> at;
-  // Of all of a tile's places (core/tile_grid.h of the camera image), so that tiles with nothing to
-  // show are passed over. low > high where there is no place.
+  // Bounds of a tile's places (core/tile_grid.h of the camera image), so that tiles with nothing to
+  // show can be skipped. low > high: no place.
   struct Bounds {
     glm::vec2 low{0.0f}, high{0.0f};
   };
@@ -28,25 +28,25 @@ struct WarpMap {
 // Depends on the intrinsics alone.
 WarpMap make_warp_map(const common::CameraModel& camera, const common::CameraModel& ideal);
 
-// What stands around a picture that is rendered smaller, so that its outermost pixels have
-// neighbours to be mixed with.
+// Border around a picture that is rendered smaller, so that its outermost pixels have neighbours to
+// be interpolated with.
 inline constexpr int kScaledBorder = 1;  // pixels of the smaller picture
 
-// The same view of an undistorted camera in fewer pixels: scale in (0, 1] on both axes, and a
-// border of kScaledBorder on all sides. A scale of 1 changes nothing.
+// An undistorted camera's view in fewer pixels: scale in (0, 1] on both axes, and a border of
+// kScaledBorder on all sides. A scale of 1 changes nothing.
 common::CameraModel scaled_camera(const common::CameraModel& ideal, double scale);
 
-// How layers lie to the camera image.
+// The placement of layers on the camera image.
 struct LayerPlacement {
   glm::ivec2 size{0};             // of the camera image, pixels
   const WarpMap* lens = nullptr;  // null: the lens does not distort
   float scale = 1.0f;             // the layers are those of scaled_camera(ideal, scale)
 };
 
-// Bilinear, which is right for premultiplied color; outside the layers there is nothing.
+// Bilinear, which is correct for premultiplied color; 0 outside the layers.
 Layers warp_layers(const Layers& layers, const LayerPlacement& placement);
 
-// Borrows the lens. Absent if nothing is left of the layers in the camera's part of them.
+// Borrows the lens. Absent if the layers are empty within the camera image.
 graph::Handle<Layers> add_warp_pass(graph::FrameGraph& graph, graph::Handle<Layers> layers,
                                     const LayerPlacement& placement);
 

@@ -52,7 +52,7 @@ CasterCells CasterCells::of(const gl::Texture& map, int map_size) {
   const int side = map.size().x;
   const auto texels = static_cast<std::size_t>(side) * static_cast<std::size_t>(side);
   const bool glass = map.format() == gl::TextureFormat::Rgba32f;
-  // A glass map of an odd opaque size, or of side 1, has texels that are no two of the opaque ones.
+  // For an odd opaque size, or side 1, a glass texel is not exactly two opaque texels wide.
   const bool halves = glass && side * 2 == map_size;
   const int cell_texels = halves ? kCellTexels / 2 : kCellTexels;
   if (glass && !halves) cells.cells_per_side_ = static_cast<double>(side) / kCellTexels;
@@ -92,7 +92,7 @@ float CasterCells::nearest_depth(std::size_t layer, glm::dvec2 low, glm::dvec2 h
                                        static_cast<double>(levels.front().side - 1)));
   };
   int x0 = cell(low.x), x1 = cell(high.x), y0 = cell(low.y), y1 = cell(high.y);
-  // As fine as a few look-ups allow.
+  // The finest level that needs few look-ups.
   constexpr int kMostCells = 12;
   std::size_t level = 0;
   while (std::max(x1 - x0, y1 - y0) >= kMostCells) {

@@ -11,7 +11,7 @@
 namespace amalgam::passes {
 namespace {
 
-// Binds the maps that there are; returns a bit for each.
+// Binds the maps that are present; returns a bit for each.
 GLuint bind_shadow_maps(const graph::Access& access, const ShadowMapOutputs& shadows) {
   GLuint present = 0;
   for (std::size_t i = 0; i < kCasterClasses; ++i) {
@@ -48,8 +48,8 @@ const gl::SurfaceProgram& programs_for(const RasterContext& raster,
   return plane ? raster.shaders.shade_lone_plane : raster.shaders.shade_under_few_suns;
 }
 
-// Makes ready what is drawn into: colors are cleared in the reached tiles, and depth is put out of
-// reach of the EQUAL test in the others, so that nothing is shaded there.
+// Prepares the targets: clears colors in the reached tiles, and sets depth elsewhere so that the
+// EQUAL test fails and nothing is shaded.
 void keep_reached(const RenderView& view, const ReachedTiles& reached, const gl::Texture& mixed,
                   const gl::Texture& real, const gl::Texture& depth) {
   constexpr float kNowhere = 1.0f;  // the near plane
@@ -74,7 +74,7 @@ void draw_diffuse(const DiffuseInputs& in, const graph::Access& access, const gl
   framebuffer.bind();
   draw_shaded({in.raster, in.view, in.device_view, in.mask, in.shadows}, access,
               {.lights = &access.get(in.reached).lights});
-  glFinish();  // or this pass's time would be charged to whoever waits for the GPU next
+  glFinish();  // or a later pass would be charged for this pass's time
 }
 
 }  // namespace

@@ -1,10 +1,11 @@
-// The diffuse pass: both solutions, I_m and I_r, of every sample whose first surface is diffuse.
+// The diffuse pass: shades both solutions, I_m and I_r, of every sample whose first surface is
+// diffuse.
 //
 // For each light, with E its irradiance, c = N.L > 0 (and Ng.L > 0), and Phong's terms
 // (material.h):
 //   f = albedo / pi + specular (exponent + 2) / (2 pi) max(R.V, 0)^exponent        (eq. 4.6)
 //   m = emission + sum E c f (mixed attenuation),  r = emission + sum E c f (real attenuation)
-// Normals are turned to the side that the camera sees. Radiance is scene-linear.
+// Normals face the camera's side of the surface. Radiance is scene-linear.
 #pragma once
 
 #include "graph/frame_graph.h"
@@ -22,12 +23,12 @@ struct DiffuseInputs {
   const RenderView& view;
   graph::Handle<DeviceView> device_view;
   MaskOutputs mask;
-  ShadowMapOutputs shadows;  // maps may be absent: then nothing of that class casts shadows
+  ShadowMapOutputs shadows;  // absent maps: that class casts no shadows
   graph::Handle<ReachedTiles> reached;
 };
 
-// RGBA32F, a texel a sample, 0 where there is no diffuse surface; outside of the reached tiles
-// whatever was there. Absent: "no diffuse object in view", or for want of reached tiles.
+// RGBA32F, one texel for each sample, 0 without a diffuse surface; undefined outside the reached
+// tiles. Absent: "no diffuse object in view", or without reached tiles.
 struct DiffuseOutputs {
   graph::Handle<DeviceImage> mixed;  // I_m = m; alpha: M_v, 1 on virtual surfaces
   graph::Handle<DeviceImage> real;  // I_r = r on real surfaces, 0 on virtual ones; alpha: 1 on real
@@ -41,16 +42,16 @@ struct ShadingInputs {
   ShadowMapOutputs shadows;
 };
 
-// lights: by tile of the ideal image; null: nothing virtual casts shadows. mask_step: fragment (x,
-// y) belongs to sample (x step + step / 2, y step + step / 2) of the mask.
+// lights: by tile of the ideal image, the lights that virtual casters may occlude; null: none.
+// mask_step: fragment (x, y) belongs to sample (x step + step / 2, y step + step / 2) of the mask.
 struct Shading {
   const std::vector<LightSet>* lights = nullptr;
   int mask_step = 1;
   bool virtual_surfaces = true;
 };
 
-// Draws both solutions of the diffuse surfaces into the framebuffer that is bound, for a pass that
-// has declared these inputs.
+// Draws both solutions of the diffuse surfaces into the bound framebuffer, for a pass that has
+// declared these inputs.
 void draw_shaded(const ShadingInputs& in, const graph::Access& access, const Shading& shading);
 
 DiffuseOutputs add_diffuse_pass(graph::FrameGraph& graph, const DiffuseInputs& in);

@@ -1,4 +1,4 @@
-// Draws the instances of a view that a pass cares for.
+// Draws the instances of a view that a pass selects.
 #pragma once
 
 #include "gl/shader_interface.h"
@@ -8,12 +8,11 @@
 
 namespace amalgam::passes {
 
-// What a pass needs textures and vertex colors for: the surface's material, or only to find the
-// holes in it.
+// What a pass needs textures and vertex colors for: the whole material, or only its alpha cut-outs.
 enum class TextureUse : std::uint8_t { Color, Holes };
 
-// The framebuffer, the pipeline state and the program's own uniforms are set by the caller.
-// wanted(const DrawItem&) -> bool.
+// The caller sets the framebuffer, the pipeline state and the program's own uniforms. wanted(const
+// DrawItem&) -> bool.
 template <typename Wanted>
 void draw_items(const RasterContext& raster, const DeviceView& device_view,
                 const gl::SurfaceProgram& programs, TextureUse use, const Wanted& wanted) {

@@ -1,5 +1,5 @@
-// Reads the shaded tiles back and asks whether anything virtual shows in them at all: if not, the
-// frame may go back as it came.
+// Reads the shaded tiles back and finds whether anything virtual shows in them. If not, the frame
+// may go back unchanged.
 #pragma once
 
 #include "graph/frame_graph.h"
@@ -9,13 +9,13 @@
 
 namespace amalgam::passes {
 
-// Exists only if some diffuse sample is virtual, or differs between I_m and I_r. Owned by the
-// RasterTargets, until the end of the frame.
+// Exists only if some diffuse sample is virtual or differs between I_m and I_r. Owned by
+// RasterTargets until the end of the frame.
 struct DiffuseEffect {
   const ShadedTiles* tiles = nullptr;
 };
 
-// A copy of the tiles that show something virtual, for a later frame in which nothing has moved.
+// Copies the tiles that show something virtual, for a later equal frame.
 ShadedTiles copy_what_shows(const ShadedTiles& shaded, const RenderView& view);
 
 struct EffectInputs {
@@ -26,8 +26,8 @@ struct EffectInputs {
 };
 
 struct EffectOutputs {
-  // Or absent: "nothing virtual has an effect on this frame", or for the reason that there are no
-  // diffuse images.
+  // Absent: "nothing virtual has an effect on this frame", or for the reason for which the diffuse
+  // images are absent.
   graph::Handle<DiffuseEffect> effect;
 };
 

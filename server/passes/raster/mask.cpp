@@ -35,7 +35,7 @@ SampleMask read_mask(const gl::Texture& flags) {
   return mask;
 }
 
-// Bits and sums of single bytes, without a branch: for the compiler to do 16 at a time.
+// Bits and sums of single bytes without a branch, so that the compiler can vectorise them by 16.
 struct RunOfSamples {
   unsigned surface = 0, virtual_surface = 0, specular = 0;
   std::uint8_t tile = 0;  // SampleMask::tiles

@@ -1,4 +1,4 @@
-// The mask pass: what kind of surface each sample sees first (M_v and M_r), with depth.
+// The mask pass: kind and depth of the first surface that each sample sees (M_v and M_r).
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace amalgam::passes {
 
-// The mask where the diffuse pass can read it.
+// The mask on the GPU, for the diffuse pass.
 struct DeviceMask {
   DeviceImage flags = nullptr;  // R8UI
   DeviceImage depth = nullptr;  // 32F, reversed
@@ -34,8 +34,8 @@ struct MaskOutputs {
   graph::Handle<DeviceMask> device;
   graph::Handle<SampleMask> mask;
   graph::Handle<SampleCounts> counts;
-  graph::Handle<SpecularSamples> specular;  // or absent: "no specular pixel in this frame"
-  graph::Handle<DiffuseSamples> diffuse;    // or absent: "no diffuse object in view"
+  graph::Handle<SpecularSamples> specular;  // absent: "no specular pixel in this frame"
+  graph::Handle<DiffuseSamples> diffuse;    // absent: "no diffuse object in view"
 };
 
 MaskOutputs add_mask_pass(graph::FrameGraph& graph, const MaskInputs& in);

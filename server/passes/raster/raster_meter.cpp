@@ -11,11 +11,11 @@
 namespace amalgam::passes {
 namespace {
 
-// Entry (x, y) is sample (x step + step / 2, y step + step / 2); blocks that reach beyond the image
-// are left out. What the mask does not show as real and diffuse is left 0.
+// Entry (x, y) is sample (x step + step / 2, y step + step / 2). Blocks that reach beyond the image
+// are left out. Entries that are not real and diffuse in the mask are 0.
 common::ImageRgba32f draw_grid(const RasterMeterInputs& in, const graph::Access& access, int step) {
   const glm::ivec2 samples = sample_size(in.view);
-  // A picture of a single row may be lower than a step.
+  // A very narrow picture may be smaller than a step.
   const glm::ivec2 entries = glm::max(samples / step, 1);
   RasterTargets& targets = in.raster.targets;
   const gl::Texture& real = ensure_target(targets.meter, gl::TextureFormat::Rgba32f, entries);

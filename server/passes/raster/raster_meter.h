@@ -1,5 +1,5 @@
-// The exposure meter's grid from rasterised real surfaces: a few thousand samples shaded for it
-// alone, because what the picture needs is only shaded where something virtual may show.
+// The exposure meter's grid from rasterised real surfaces. A few thousand samples are shaded for it
+// alone, because the diffuse pass only shades where something virtual may show.
 #pragma once
 
 #include "graph/frame_graph.h"

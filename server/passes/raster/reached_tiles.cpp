@@ -15,14 +15,14 @@
 namespace amalgam::passes {
 namespace {
 
-// A layer of the shadow maps as the camera's points are seen through it.
+// The projection of camera-frame points to a layer of the shadow maps.
 struct LayerView {
   std::size_t layer = 0;
   LightSet light = 0;
   bool perspective = false;
   glm::dmat4 clip_from_camera{1.0};
   double texel = 0.0;     // side of a texel, metres (perspective: at 1 m)
-  glm::dvec4 slope{0.0};  // by how much a clip coordinate changes a metre, at most
+  glm::dvec4 slope{0.0};  // the most that a clip coordinate changes in a metre
 };
 
 std::vector<LayerView> layers_with_casters(const RenderView& view, const ShadowLayout& layout,
@@ -66,9 +66,10 @@ std::array<glm::dvec3, 8> corners(const common::CameraModel& ideal, glm::ivec2 f
   return corners;
 }
 
-// What a layer's look-ups for points between the corners may read, and the depth they compare with.
+// The part of a layer that look-ups for points between the corners may read, and the depth that
+// they compare with.
 struct Footprint {
-  glm::dvec2 low{std::numeric_limits<double>::infinity()};  // of the map's side
+  glm::dvec2 low{std::numeric_limits<double>::infinity()};  // in units of the map's side
   glm::dvec2 high{-std::numeric_limits<double>::infinity()};
   double depth = std::numeric_limits<double>::infinity();  // reversed, the least
   bool is_visible = true;                                  // from the light, through this layer
@@ -81,8 +82,8 @@ Footprint footprint_of(const LayerView& layer, const std::array<glm::dvec3, 8>& 
     clip[i] = layer.clip_from_camera * glm::dvec4(corners[i], 1.0);
     farthest = std::max(farthest, clip[i].w);
   }
-  // Metres that a look-up lies beside its point; texels grow with the distance, and a spot's map
-  // sees up to 2.7 times its depth away. A little more, for rounding.
+  // The distance of a look-up from its point, with a little for rounding. Texels grow with the
+  // distance to the light, which in a spot's map is up to 2.7 times the depth.
   constexpr double kTexels = gl::kShadowLift + 0.1;
   const double lift =
       layer.texel * (layer.perspective ? 2.7 * std::max(farthest, 0.0) : 1.0) * kTexels;
@@ -99,7 +100,7 @@ Footprint footprint_of(const LayerView& layer, const std::array<glm::dvec3, 8>& 
     const auto all = [&](const auto& outside) {
       return std::all_of(clip.begin(), clip.end(), outside);
     };
-    // A look-up of what lies wholly beyond the border finds nothing.
+    // Points wholly beyond the border find nothing.
     if (all([&](const glm::dvec4& c) { return c.w + grow.w <= 0.0; }) ||
         all([&](const glm::dvec4& c) { return c.x - grow.x > border * c.w + 2.0 * grow.w; }) ||
         all([&](const glm::dvec4& c) { return c.x + grow.x < -border * c.w - 2.0 * grow.w; }) ||
@@ -122,7 +123,8 @@ Footprint footprint_of(const LayerView& layer, const std::array<glm::dvec3, 8>& 
       }
     }
   }
-  // The filter reads one texel around, of a glass map two of the opaque map's, or three if odd.
+  // The filter reads one texel around. In units of the opaque map, a glass texel is two, or three
+  // if the size is odd.
   const double filter = 4.0 / size;
   seen.low = 0.5 * seen.low + 0.5 - filter;
   seen.high = 0.5 * seen.high + 0.5 + filter;
@@ -139,7 +141,7 @@ bool is_in_shadow(const LayerView& layer, const std::array<glm::dvec3, 8>& corne
   });
 }
 
-// Of each tile's real diffuse samples.
+// The depth range of each tile's real diffuse samples.
 std::vector<DepthRange> depth_ranges(const SampleMask& mask, const common::Image32f& depth,
                                      const RenderView& view) {
   const core::TileGrid grid({view.ideal.width, view.ideal.height});
@@ -191,7 +193,7 @@ ReachedTiles find_reached_tiles(const ReachedTilesInputs& in, const graph::Acces
   ReachedTiles reached;
   for (std::size_t tile = 0; tile < mask.tiles.size(); ++tile) {
     const bool shows_virtual = (mask.tiles[tile] & SampleMask::kAnyVirtualDiffuse) != 0;
-    // A virtual surface may lie in the shadow of any other.
+    // A virtual surface may lie in the shadow of any other object.
     if (shows_virtual) shadowed[tile] = kAllLights;
     if (shadowed[tile] != 0) reached.tiles.push_back(tile);
   }

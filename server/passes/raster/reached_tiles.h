@@ -1,10 +1,11 @@
-// Which tiles of the picture can show anything virtual on diffuse surfaces: those with a virtual
-// diffuse sample, and those with a real one that the shadow of a virtual caster may reach. All
-// others differ in nothing between I_m and I_r, to the bit, and are neither shaded nor read back.
+// Finds the tiles that can show anything virtual on diffuse surfaces: those with a virtual diffuse
+// sample, and those with a real one that a virtual caster's shadow may reach. In all others I_m and
+// I_r are equal to the bit, and they are neither shaded nor read back.
 //
-// A tile's real surfaces lie in the piece of its frustum between their least and greatest depth.
-// The piece is seen from each light, grown by what a shadow look-up may move (shaders/shadow.glsl:
-// its lift along the normal, and the filter), and compared with the nearest casters there.
+// A tile's real surfaces lie in its frustum between their least and greatest depth. This piece is
+// projected to each light's shadow map and grown by the reach of a shadow look-up
+// (shaders/shadow.glsl: its lift along the normal, and the filter). Its depth is compared with that
+// of the nearest casters there.
 #pragma once
 
 #include <cstdint>
@@ -19,23 +20,22 @@
 
 namespace amalgam::passes {
 
-// Depths along the camera's z of a tile's real diffuse samples, metres; nearest > farthest: none.
+// Camera-frame z of a tile's real diffuse samples, metres; nearest > farthest: no samples.
 struct DepthRange {
   double nearest = 1.0, farthest = 0.0;
   bool is_empty() const { return nearest > farthest; }
 };
 
-// Layers of shadow maps in which something virtual casts that a tile is tested against; a frame
-// with more takes every tile with a real surface for reached.
+// Most shadow-map layers with virtual casters that tiles are tested against. With more, every tile
+// with a real diffuse surface counts as reached.
 constexpr std::size_t kMostLayersTested = 96;
 
-// Lights as bits; all bits where there are more than eight lights.
+// A bit for each light; all bits if there are more than eight lights.
 using LightSet = std::uint8_t;
 static_assert(gl::kFewSuns <= 8 * sizeof(LightSet));
 constexpr LightSet kAllLights = 0xFF;
 
-// For each tile the lights by which a shadow of the casters may fall on something between the
-// depths.
+// For each tile, the lights whose shadows of the casters may reach a point between the depths.
 std::vector<LightSet> tiles_in_shadow(const RenderView& view, const ShadowLayout& layout,
                                       std::span<const CasterCells* const> casters,
                                       std::span<const DepthRange> depths);

@@ -1,4 +1,4 @@
-// From the GPU's memory to ours: images for dumps, and the exposure meter's grid.
+// Reads textures back to main memory: images for dumps, and the exposure meter's grid.
 #pragma once
 
 #include "common/image.h"

@@ -1,5 +1,4 @@
-// Depth of the real objects alone, for the look-up's question "is this what the camera sees
-// there?".
+// Depth of the real objects alone, for the visibility test of look-ups.
 #pragma once
 
 #include "graph/frame_graph.h"
@@ -14,11 +13,11 @@ struct RealDepthInputs {
   const RasterContext& raster;
   const RenderView& view;
   graph::Handle<DeviceView> device_view;
-  graph::Handle<SpecularSamples> specular;  // only traced rays look up
+  graph::Handle<SpecularSamples> specular;  // only traced rays make look-ups
 };
 
 struct RealDepthOutputs {
-  // One value an ideal pixel, at its centre. Absent: "no real object in view", or for want of
+  // One value at the centre of each ideal pixel. Absent: "no real object in view", or without
   // specular samples.
   graph::Handle<RealDepth> depth;
 };

@@ -21,7 +21,7 @@ glm::vec3 replace_nonfinite(glm::vec3 value, std::uint64_t& replaced) {
   return value;
 }
 
-// One tile of a run: its samples, and the layers that become of them.
+// One tile of a run, to be resolved to layers.
 struct TileOfRun {
   const ShadedTiles& shaded;
   const ShadedTiles::Run& run;
@@ -29,7 +29,7 @@ struct TileOfRun {
   glm::ivec2 pixels;
   int n;
 
-  // Returns how many values had to be replaced.
+  // Returns the number of non-finite values replaced by 0.
   std::uint64_t resolve(float exposure, core::LayerTile& layers) const {
     std::uint64_t replaced = 0;
     for (int y = 0; y < pixels.y; ++y) {
@@ -72,7 +72,7 @@ std::pair<Layers, std::uint64_t> resolve(const RenderView& view, const ShadedTil
                                          float exposure) {
   Layers layers({view.ideal.width, view.ideal.height});
   const core::TileGrid& grid = layers.grid();
-  std::atomic<std::uint64_t> replaced = 0;  // a sum of integers: in any order
+  std::atomic<std::uint64_t> replaced = 0;  // integers: the order of the sum does not matter
   tbb::parallel_for(std::size_t{0}, shaded.runs.size(), [&](std::size_t r) {
     const ShadedTiles::Run& run = shaded.runs[r];
     for (std::size_t i = 0; i < run.tiles; ++i) {

@@ -1,11 +1,11 @@
-// From the diffuse samples to the rasteriser's share of the composite's layers (eq. 4.5 per sample,
-// then averaged over the n x n samples of a pixel):
+// Resolves the diffuse samples to the rasteriser's share of the layers (eq. 4.5 per sample, then
+// averaged over the n x n samples of a pixel):
 //
 //   over       = mean(M_v TM(I_m)),  coverage = mean(M_v)
 //   difference = mean((1 - M_v) (TM(I_m) - TM(I_r)))
 //
-// with TM of scene/light/tone_map.h and one exposure for both images (numerics A4). Samples that
-// are specular or see no surface add zero. Only tiles that something virtual shows in exist.
+// with TM of scene/light/tone_map.h and one exposure for both images (numerics A4). Specular
+// samples and samples without a surface add zero. Only tiles that show something virtual exist.
 #pragma once
 
 #include <cstdint>
@@ -18,13 +18,13 @@ namespace amalgam::passes {
 
 struct ResolveInputs {
   const RenderView& view;
-  graph::Handle<DiffuseEffect> effect;  // without it all layers would be zero
+  graph::Handle<DiffuseEffect> effect;  // if absent, all layers would be zero
   graph::Handle<float> exposure;
 };
 
 struct ResolveOutputs {
   graph::Handle<Layers> layers;
-  graph::Handle<std::uint64_t> nonfinite;  // channel values that had to be replaced by 0
+  graph::Handle<std::uint64_t> nonfinite;  // channel values replaced by 0
 };
 
 ResolveOutputs add_resolve_pass(graph::FrameGraph& graph, const ResolveInputs& in);

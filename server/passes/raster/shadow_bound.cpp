@@ -18,12 +18,13 @@ class CellsBound : public trace::ShadowBound {
 
   bool may_be_shaded(std::size_t light, const glm::vec3& point) const override {
     const gl::GpuLight& gpu = lights_->layout.gpu_lights[light];
-    // Lamps are few, and near their casters a cell covers anything.
+    // Only directional lights are tested. Others are few, and near them a cell covers too much to
+    // help.
     if (gpu.kind != static_cast<std::uint32_t>(scene::Light::Kind::Directional)) return true;
     const glm::vec3 clip(gpu.clip_from_world * glm::vec4(point, 1.0f));
     const glm::dvec2 at = 0.5 * glm::dvec2(clip) + 0.5;
-    // A map knows a caster where the middle of a texel meets it, and its depth there. What it does
-    // not know reaches no further than this many texels, aside as in depth.
+    // A map samples casters at texel centres only. This many texels, sideways and in depth, cover
+    // the parts that it misses.
     constexpr double kTexels = 4.0;
     const double reach = kTexels / lights_->layout.size;
     const double metres = kTexels * static_cast<double>(gpu.texel);

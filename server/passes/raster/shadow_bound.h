@@ -1,4 +1,5 @@
-// The shadow maps' coarse picture of virtual casters, as the tracer asks it before a shadow ray.
+// The tracer's test before a shadow ray, from the coarse shadow maps of virtual casters
+// (caster_cells.h).
 #pragma once
 
 #include <memory>

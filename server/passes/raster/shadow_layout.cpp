@@ -36,7 +36,7 @@ struct Bounds {
   glm::dvec3 high{-std::numeric_limits<double>::infinity()};
 };
 
-// Of everything there is, along the given axes.
+// Bounds of all instances along the given axes.
 Bounds bounds_along(const std::array<glm::dvec3, 3>& axes, const RenderView& view,
                     const gl::GpuScene& scene) {
   Bounds bounds;
@@ -60,7 +60,7 @@ Layer parallel_layer(const glm::vec3& to_light, const RenderView& view, const gl
                      int size) {
   const auto axes = basis_towards(glm::normalize(glm::dvec3(to_light)));
   Bounds bounds = bounds_along(axes, view, scene);
-  // A little room: for the filter at the border, and because a flat scene has no depth at all.
+  // A margin: for the filter at the border, and because a flat scene has no depth.
   const glm::dvec3 extent = bounds.high - bounds.low;
   const double room = 0.01 * std::max({extent.x, extent.y, extent.z, 1e-3});
   bounds.low -= room;
@@ -96,7 +96,7 @@ Layer perspective_layer(const glm::dvec3& position, const std::array<glm::dvec3,
   return {layer, static_cast<float>(2.0 * tangent / size)};
 }
 
-// Room for the filter beyond the border.
+// Adds a margin for the filter at the border.
 double with_room(double tangent, int size) {
   return tangent * (1.0 + 4.0 / size);
 }

@@ -1,8 +1,9 @@
-// Which light is seen through which layers of the shadow maps, and by which matrices.
+// Assigns layers of the shadow maps to lights, with their matrices.
 //
-// A directional light has one parallel layer fitted to everything in the scene, a spot light one
-// perspective layer, a point light (and a spot wider than kMaxSpotHalfAngle) the six sides of a
-// cube. Depth is reversed in all: 1 (or kNearPlane / distance) at the near side, 0 at the far one.
+// A directional light has one parallel layer fitted to the whole scene. A spot light has one
+// perspective layer. A point light, or a spot wider than kMaxSpotHalfAngle, has the six sides of a
+// cube. Depth is reversed: 1 at the near side and 0 at the far one; kNearPlane / distance in
+// perspective layers.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +18,7 @@ namespace amalgam::passes {
 constexpr double kMaxSpotHalfAngle = 1.05;  // radians, 60 degrees
 
 struct ShadowLayout {
-  // What it was made from: if these are equal, nothing moved.
+  // The inputs. If these are equal, nothing moved.
   std::vector<scene::Light> lights;
   std::vector<scene::AnchoredInstance> instances;
   int requested_size = 0;
@@ -27,12 +28,12 @@ struct ShadowLayout {
   std::vector<gl::GpuShadowLayer> layers;
 };
 
-// Throws std::runtime_error if there are more than gl::kMaxLights lights.
-// size: texels a side; 0: by the number of layers (2048 to 8, 1024 to 32, 512 to 128, then
-// 256: 128 MiB a class of casters, or less).
+// Throws std::runtime_error if there are more than gl::kMaxLights lights. size: texels a side; 0:
+// by the number of layers (2048 up to 8 layers, 1024 up to 32, 512 up to 128, then 256). At most
+// 128 MiB for a class of casters up to 512 layers.
 ShadowLayout make_shadow_layout(const RenderView& view, const gl::GpuScene& scene, int size);
 
-// The layout was made from the same lights and instances, and with the same size option.
+// Whether the layout was made from the same lights, instances and size option.
 bool is_layout_of(const ShadowLayout& layout, const RenderView& view, int size);
 
 }  // namespace amalgam::passes

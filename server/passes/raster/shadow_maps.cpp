@@ -66,11 +66,12 @@ graph::Handle<SharedLights> add_lights(graph::FrameGraph& graph, const ShadowMap
   return out;
 }
 
-// The array of layers, kept from earlier if it has the right shape.
+// The array of layers, reused if it has the right shape.
 const gl::Texture& ensure_layers(std::optional<gl::Texture>& image, CasterClass casters,
                                  const ShadowLayout& layout) {
   const int layers = static_cast<int>(layout.layers.size());
-  // Glass takes four times the memory a texel, and what it lets through is smooth but at its rim.
+  // A texel of glass takes four times the memory, and its transmittance is smooth except at the
+  // rim.
   const glm::ivec2 size(is_glass(casters) ? std::max(layout.size / 2, 1) : layout.size);
   if (!image || image->size() != size || image->layers() != layers) {
     image.reset();
@@ -139,7 +140,7 @@ graph::Handle<ShadowMap> add_caster_class(graph::FrameGraph& graph, const Shadow
           sizeof(gl::GpuShadowLayer));
       draw_layer(in.raster, access.get(in.device_view), casters, image, layer);
     }
-    glFinish();  // or this pass's time would be charged to whoever waits for the GPU next
+    glFinish();  // or a later pass would be charged for this pass's time
     if (is_virtual(casters)) {
       entry.cells =
           std::make_shared<const CasterCells>(CasterCells::of(image, device_lights->layout.size));

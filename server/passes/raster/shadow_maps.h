@@ -1,11 +1,11 @@
-// Shadow maps of all lights, apart for real and for virtual casters, so that one shading loop can
+// Shadow maps of all lights, separate for real and virtual casters, so that one shading loop can
 // attenuate light for the mixed and for the real image (eq. 4.6).
 //
 //   real attenuation  = real_opaque x real_glass
 //   mixed attenuation = real attenuation x virtual_opaque x virtual_glass
 //
-// As a product: where nothing virtual casts a shadow the two are equal bit for bit. Mirrors are
-// opaque casters. What glass lets through is defined in shaders/shadow.glsl.
+// Because of the product, the two are equal bit for bit where nothing virtual casts a shadow.
+// Mirrors are opaque casters. The transmittance of glass is defined in shaders/shadow.glsl.
 #pragma once
 
 #include <array>
@@ -27,14 +27,14 @@ namespace amalgam::passes {
 using gl::CasterClass;
 using gl::kCasterClasses;
 
-// A 2D array texture, one layer for each of the layout. Opaque casters: depth 32F, reversed.
-// Glass: RGBA32F at half the side, optical depth in RGB, the nearest glass's reversed depth in A.
+// A 2D array texture with the layout's layers. Opaque casters: depth 32F, reversed. Glass: RGBA32F
+// at half the side, optical depth in RGB, the reversed depth of the nearest glass in A.
 struct ShadowMap {
   DeviceImage image = nullptr;
   std::shared_ptr<const CasterCells> cells{};  // of virtual casters only
 };
 
-// The lights and where their layers are, on both sides of the bus.
+// The lights and their layers, on the CPU and on the GPU.
 struct DeviceLights {
   ShadowLayout layout;
   gl::Buffer lights;  // shader_interface.h: GpuLight
@@ -42,8 +42,9 @@ struct DeviceLights {
 };
 using SharedLights = std::shared_ptr<const DeviceLights>;
 
-// What was drawn last, and from what. Owned by the caller, for one scene. Shadows do not depend on
-// the camera: views whose markers stand still with respect to each other may share one.
+// The maps drawn last, and the lights they were drawn for. Owned by the caller, one for each scene.
+// Shadows do not depend on the camera, so views may share a cache as long as their markers do not
+// move relative to each other.
 struct ShadowCache {
   struct Entry {
     std::optional<gl::Texture> image;
@@ -66,8 +67,8 @@ struct ShadowMapInputs {
   ShadowOptions options{};
 };
 
-// A class without casters in this view is absent. What the cache still holds is imported, and noted
-// as left out ("nothing moved since the last frame").
+// A class without casters in this view is absent. Maps in the cache are imported, and the pass is
+// noted as left out ("nothing moved since the last frame").
 struct ShadowMapOutputs {
   std::array<graph::Handle<ShadowMap>, kCasterClasses> maps;  // by CasterClass
   graph::Handle<SharedLights> lights;

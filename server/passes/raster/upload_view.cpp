@@ -14,9 +14,9 @@
 namespace amalgam::passes {
 namespace {
 
-// Takes normals to where the mesh is placed, for any affine transform (numerics B23): the columns'
-// cross products, turned outward again if the transform mirrors. Scaled to about 1, because
-// products of millimetre scales would leave float's comfortable range.
+// Transforms normals, for any affine transform (numerics B23): the cofactors, negated if the
+// transform mirrors so that normals stay outward. Scaled to about 1, because products of millimetre
+// scales would be too small for float.
 glm::dmat4 normal_matrix(const glm::dmat3& linear) {
   const glm::dvec3 x = glm::cross(linear[1], linear[2]), y = glm::cross(linear[2], linear[0]),
                    z = glm::cross(linear[0], linear[1]);

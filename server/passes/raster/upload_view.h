@@ -1,9 +1,9 @@
-// Puts one frame's view where shaders can read it: the camera, the instances' matrices, the lights.
+// Uploads one frame's camera and the instances' matrices for the shaders.
 //
-// Projection (numerics B14): clip coordinates come from the intrinsics in double, as one matrix
-// clip_from_mesh an instance, so that only its product is rounded to float. y points down in the
-// camera and row 0 of a GL image is at y = -1, so the image is the right way up in memory. Depth is
-// reversed and reaches infinity: depth = kNearPlane / z.
+// Projection (numerics B14): the intrinsics and the instance's transform are multiplied in double,
+// and only the product, clip_from_mesh, is rounded to float. y points down in the camera and row 0
+// of a GL image is at y = -1, so the image is upright in memory. Depth is reversed, with the far
+// plane at infinity: depth = kNearPlane / z.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ using gl::kNearPlane;
 // clip_from_camera of an ideal (undistorted) camera; ndc_x = 2 (u + 0.5) / width - 1 for pixel u.
 glm::dmat4 clip_from_camera(const common::CameraModel& ideal);
 
-// One instance to be drawn; its position in DeviceView::items is its index on the GPU.
+// One instance to be drawn. Its position in DeviceView::items is its index on the GPU.
 struct DrawItem {
   std::uint32_t mesh = 0;
   std::uint32_t material = 0;

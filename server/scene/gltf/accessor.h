@@ -1,5 +1,5 @@
-// Reads glTF accessors whatever their layout: strides, normalised integers, sparse values, none at
-// all (zeros). Positions in buffers were checked by gltf_check.
+// Reads glTF accessors of any layout: strides, normalised integers, sparse values, no buffer view
+// (zeros). check_gltf() has checked their extents in the buffers.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@
 
 namespace amalgam::scene {
 
-// Component-wise, accessor.count elements of component_count(type) numbers each, normalised if it
-// says so.
+// accessor.count elements of component_count(type) numbers each; integers are normalised if the
+// accessor says so.
 std::vector<float> read_floats(const tinygltf::Model& model, int accessor);
 
 // The accessor must be a scalar of unsigned integers.
@@ -23,9 +23,8 @@ std::vector<glm::vec3> read_vec3(const tinygltf::Model& model, int accessor);
 std::vector<glm::vec4> read_vec4(const tinygltf::Model& model, int accessor);
 std::vector<glm::vec2> read_vec2(const tinygltf::Model& model, int accessor);
 
-// Fails for an accessor with values that are not finite, or outside the bounds it states by more
-// than rounding can explain. Normals and tangents are left out (not finite ones are repaired later:
-// numerics B21).
+// Throws for an accessor with non-finite values, or with values outside its stated bounds by more
+// than rounding. Skips normals and tangents, which are repaired later (numerics B21).
 void check_accessor_data(const tinygltf::Model& model);
 
 }  // namespace amalgam::scene

@@ -10,8 +10,8 @@
 
 namespace amalgam::scene {
 
-// The kind is told by the name's extension (.exr, .hdr, .jpg, .jpeg, .png). High-dynamic-range
-// values are sanitised and what was replaced is noted. Throws SceneError naming the file.
+// The name's extension gives the format (.exr, .hdr, .jpg, .jpeg, .png). High-dynamic-range values
+// are sanitised, with a note of the replacements. Throws SceneError naming the file.
 Environment load_environment(const std::filesystem::path& path, std::vector<std::string>& notes);
 
 // 8-bit sRGB texels as a low-dynamic-range map, display-linear.

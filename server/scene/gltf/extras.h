@@ -1,5 +1,5 @@
-// What a scene says in glTF "extras": which objects are real, which marker they stand on, and what
-// the world marker and environment are (design, "Scenes").
+// A scene's glTF "extras": which objects are real, which marker they stand on, the world marker and
+// the environment (design, "Scenes").
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace amalgam::scene {
 
-// What one node says itself; children inherit what they do not say.
+// One node's own extras. Children inherit what they leave unset.
 struct NodeExtras {
   std::optional<Role> role;
   std::optional<int> marker;  // 0 .. 1e6
@@ -23,8 +23,8 @@ struct SceneExtras {
 };
 
 // Read "extras": {"amalgam": {"role", "marker"}} and Blender's bare "is_shadow_catcher" (true:
-// real), which an explicit role overrides. Extras that are not objects, or not ours, are nobody's
-// business here. Throw SceneError with the path for a member of ours that is wrong or unknown.
+// real), which an explicit role overrides. Other extras are ignored. Throw SceneError with the path
+// for a wrong or unknown member of "amalgam".
 NodeExtras read_node_extras(const JsonCursor& node);
 SceneExtras read_scene_extras(const JsonCursor& scene);
 

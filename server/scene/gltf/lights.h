@@ -1,4 +1,4 @@
-// KHR_lights_punctual, read and checked.
+// Reads and checks KHR_lights_punctual.
 #pragma once
 
 #include <vector>

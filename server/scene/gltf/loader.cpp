@@ -166,6 +166,7 @@ SceneExtras extras_of_default_scene(const GltfModel& gltf) {
 
 Scene load_unnamed(const std::filesystem::path& path, const LoadOptions& options) {
   Scene scene;
+  scene.path = path.string();
   const GltfModel gltf = load_gltf_model(path, scene.notes);
   const SceneExtras extras = extras_of_default_scene(gltf);
   scene.world = extras.world;

@@ -1,4 +1,4 @@
-// Reads a glTF 2.0 scene into plain data, checked, repaired where that is safe, and resolved.
+// Reads a glTF 2.0 scene into plain data: checked, resolved, and repaired where that is safe.
 #pragma once
 
 #include <filesystem>
@@ -11,13 +11,13 @@ namespace amalgam::scene {
 
 struct LoadOptions {
   bool load_environment = true;
-  // Replaces the scene's own; may lie anywhere, since the operator says it and not a file.
+  // Replaces the scene's own. May lie anywhere, because the operator names it and not a file.
   std::optional<std::filesystem::path> environment{};
 };
 
-// A .gltf or .glb file, its buffers and pictures in data URIs or files in the scene's own folder.
-// The default scene (or the first) is read; without any scene all root nodes are. Throws SceneError
-// whose text names the file and the element that is wrong; what was repaired or ignored is in
+// Reads a .gltf or .glb file with its buffers and pictures, from data URIs or files in the scene's
+// own folder. Reads the default scene or else the first; without any scene, all root nodes. Throws
+// SceneError naming the file and the wrong element. Repairs and ignored elements are in
 // Scene::notes.
 Scene load_scene(const std::filesystem::path& path, const LoadOptions& options = {});
 

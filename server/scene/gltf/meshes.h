@@ -17,9 +17,9 @@ struct ReadPrimitive {
   std::size_t material = 0;  // index into ResolvedMaterials::materials
 };
 
-// The drawable primitives of one glTF mesh: lists, strips and fans of triangles. Points, lines and
-// what has no triangle left after repair are noted and left out. Throws SceneError for an index out
-// of range.
+// The drawable primitives of one glTF mesh: lists, strips and fans of triangles. Points, lines, and
+// primitives without a triangle after repair are left out and noted. Throws SceneError for an index
+// out of range.
 std::vector<ReadPrimitive> read_primitives(const GltfModel& gltf, std::size_t mesh,
                                            const ResolvedMaterials& materials,
                                            std::vector<std::string>& notes);

@@ -1,5 +1,5 @@
-// A glTF file that has passed our checks, as tinygltf gives it. Only the gltf_* files of this
-// folder include this, and tinygltf's header is included nowhere else.
+// A glTF file that has passed our checks, as tinygltf's model. Only for this folder: no other code
+// sees tinygltf.
 #pragma once
 
 #include <tiny_gltf.h>
@@ -13,11 +13,12 @@
 namespace amalgam::scene {
 
 struct GltfModel {
-  tinygltf::Model model;  // images hold the encoded bytes of their files (as_is), in Image::image
+  tinygltf::Model model;  // Image::image holds the encoded bytes of the image's file (as_is)
   JsonValue document;     // the same file's JSON, for extras and extensions
 };
 
-// Reads a .gltf or .glb file with all that it refers to. Throws SceneError without the file's name.
+// Reads a .gltf or .glb file and the files that it refers to. Throws SceneError without the file's
+// name.
 GltfModel load_gltf_model(const std::filesystem::path& path, std::vector<std::string>& notes);
 
 }  // namespace amalgam::scene

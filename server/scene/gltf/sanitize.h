@@ -1,4 +1,4 @@
-// Radiance that nothing later can choke on (numerics B16).
+// Makes radiance finite, not negative and at most kMaxRadiance (numerics B16).
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace amalgam::scene {
 
-// What was replaced, in single color components.
+// Number of color components replaced.
 struct SanitizeCounts {
   std::size_t nan = 0;        // became 0
   std::size_t infinite = 0;   // +infinity became 65504

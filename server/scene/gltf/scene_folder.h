@@ -1,4 +1,4 @@
-// The folder a scene lives in, and the only files that a scene can make the server read.
+// The folder of a scene: the only place from which a scene can make the server read files.
 #pragma once
 
 #include <cstddef>

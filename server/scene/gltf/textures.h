@@ -1,4 +1,4 @@
-// glTF textures: their pictures decoded once, and how a material places them on a surface.
+// glTF textures: decodes their pictures once, and reads how a material places them on a surface.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +15,8 @@
 
 namespace amalgam::scene {
 
-// Which texture coordinates a texture reads, and where KHR_texture_transform puts it. Applied to
-// the coordinates when the mesh is read.
+// The texture coordinates that a texture reads, and its KHR_texture_transform, which is applied to
+// them when the mesh is read.
 struct TextureUse {
   int uv_set = 0;  // n of TEXCOORD_n
   glm::vec2 offset{0.0f};
@@ -26,18 +26,18 @@ struct TextureUse {
   bool operator==(const TextureUse&) const = default;
 };
 
-// info: a tinygltf::TextureInfo or one of its kin. Throws SceneError.
+// extensions: those of a tinygltf::TextureInfo or the like. Throws SceneError.
 TextureUse texture_use(int uv_set, const tinygltf::ExtensionMap& extensions);
 
-// Loads each texture at most once an encoding, with its mips. Filter modes of samplers are not
-// heeded: all textures are filtered trilinearly.
+// Loads each texture at most once for each encoding, with its mips. Samplers' filter modes are
+// ignored: all textures are filtered trilinearly.
 class TextureLoader {
  public:
   TextureLoader(const tinygltf::Model& model, std::vector<Texture>& textures)
       : model_(model), textures_(textures) {}
 
-  // Index into the textures; nothing if it names no picture. Throws SceneError if the picture
-  // cannot be read.
+  // Index into the textures; nothing if the texture has no picture. Throws SceneError if the
+  // picture cannot be read.
   std::optional<std::uint32_t> load(int index, TexelEncoding encoding);
 
  private:

@@ -1,4 +1,4 @@
-// Node transforms of a glTF file as matrices, and whether they can be rendered with.
+// Node transforms of a glTF file as matrices, and a check that they can be rendered with.
 #pragma once
 
 #include <glm/mat4x4.hpp>

@@ -140,7 +140,8 @@ EnvLightOptions parse_env_light_options(std::string_view text) {
     }
   }
   throw std::invalid_argument("'" + std::string(text) +
-                              "' is neither sectors nor median-cut:N with N within 1 and 4096");
+                              "' is neither sectors nor median-cut:N with N within 1 and " +
+                              std::to_string(kMaxEnvLights));
 }
 
 std::string to_string(const EnvLightOptions& options) {

@@ -1,4 +1,4 @@
-// Light from far away: an equirectangular map, and how a direction finds its texel.
+// Distant light: an equirectangular map, and its look-up by direction.
 //
 // Orientation (OpenEXR's latitude-longitude convention): image centre +Z, left quarter +X, right
 // quarter -X, top row +Y. Directions are in the world frame.
@@ -19,11 +19,11 @@ struct Environment {
   bool low_dynamic_range = false;
 };
 
-// Direction (unit) to continuous pixel coordinates: column in [-0.5, width - 0.5), row in [-0.5,
+// Continuous pixel coordinates of a unit direction: column in [-0.5, width - 0.5), row in [-0.5,
 // height - 0.5].
 glm::vec2 environment_pixel(const Environment& environment, const glm::vec3& direction);
 
-// The unit direction that the given continuous pixel coordinates see.
+// The unit direction of continuous pixel coordinates.
 glm::vec3 environment_direction(const Environment& environment, const glm::vec2& pixel);
 
 // Bilinear look-up; wraps around in longitude, clamps at the poles.

@@ -1,5 +1,5 @@
-// How well a handful of lights stands in for an environment map: compared in what they make of a
-// white Lambert surface.
+// Measures how well a few lights approximate an environment map, by the irradiance on a diffuse
+// surface.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -16,12 +16,12 @@ glm::vec3 environment_irradiance(const Environment& environment, const glm::vec3
 glm::vec3 lights_irradiance(std::span<const Light> lights, const glm::vec3& normal);
 
 struct IrradianceError {
-  double rms = 0.0;  // over normals spread evenly on the sphere, luminance, relative to the map's
-                     // mean irradiance
+  // Of luminance over normals spread evenly on the sphere, relative to the map's mean irradiance.
+  double rms = 0.0;
   double maximum = 0.0;  // likewise
 };
 
-// normals: how many. The map is integrated for each, so this is for tools and not for frames.
+// normals: their number. Integrates the map for each, so this is for tools and not for frames.
 IrradianceError irradiance_error(const Environment& environment, std::span<const Light> lights,
                                  int normals = 256);
 

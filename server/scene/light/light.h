@@ -1,5 +1,5 @@
-// A light as the shaders want it: one struct for environment lights and glTF punctual lights, in
-// the world frame.
+// A light for shading: one struct for environment lights and glTF punctual lights, in the world
+// frame.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,8 @@ struct Light {
   enum class Kind : std::uint8_t { Directional, Point, Spot };
   Kind kind = Kind::Directional;
   glm::vec3 to_light{0.0f, 1.0f,
-                     0.0f};  // unit. Directional: towards the light. Spot: against its axis
+                     // Unit. Directional: towards the light. Spot: against its axis.
+                     0.0f};
   glm::vec3 position{0.0f};  // point and spot: metres
   // Directional: irradiance on a surface facing it (for an environment light, radiance x solid
   // angle). Point and spot: radiant intensity; irradiance is intensity / distance^2.
@@ -21,12 +22,12 @@ struct Light {
   bool operator==(const Light&) const = default;
 };
 
-// In C++ and in shaders (gl/shader_constants.h). A point inside the lamp sees a bright light, not
-// infinity; a spot's cos_inner - cos_outer counts for so much at least.
+// Also in shaders (gl/shader_constants.h). The least distance to a light, so that irradiance stays
+// finite, and the least cos_inner - cos_outer of a spot.
 constexpr float kMinLightDistance = 1e-4f;  // metres
 constexpr float kMinConeWidth = 0.001f;
 
-// What arrives at a point from a light if nothing is in between.
+// Unoccluded light at a point.
 struct LightArrival {
   glm::vec3 to_light{0.0f};    // unit
   float distance = 0.0f;       // metres; infinity for directional lights

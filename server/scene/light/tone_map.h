@@ -1,4 +1,4 @@
-// One invertible curve between scene-linear radiance and display-linear values, and the sRGB
+// The invertible tone curve from scene-linear radiance to display-linear values, and the sRGB
 // encoding.
 //
 // TM(L) = e L / (1 + e L) per channel, e the exposure; the same e for I_m and I_r (numerics A4).

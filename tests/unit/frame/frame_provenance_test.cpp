@@ -106,7 +106,7 @@ TEST(FrameProvenance, RefinedPixelsCountOnce) {
     if (shares == one.pixels()[i]) continue;
     ++refined;
     for (std::size_t k = 0; k < core::kLightSources; ++k) {
-      EXPECT_NEAR(shares[k], nine.pixels()[i][k], 0.02f) << i << ' ' << core::kLightSourceNames[k];
+      EXPECT_NEAR(shares[k], nine.pixels()[i][k], 1e-5f) << i << ' ' << core::kLightSourceNames[k];
     }
   }
   EXPECT_GT(refined, 50);

@@ -6,6 +6,7 @@
 
 #include "codec/jpeg.h"
 #include "frame/default_view.h"
+#include "support/compare_images.h"
 #include "support/scene_builders.h"
 
 namespace amalgam::frame {
@@ -178,17 +179,10 @@ TEST(FrameRenderer, HybridAndRaytraceAgree) {
   const FrameOutput hybrid = render(scene, input, options, settings);
   settings.mode = RendererMode::Raytrace;
   const FrameOutput traced = render(scene, input, options, settings);
-  double sum = 0.0;
-  int far = 0;
-  for (std::size_t i = 0; i < hybrid.pixels.pixels().size(); ++i) {
-    const glm::ivec3 d =
-        glm::abs(glm::ivec3(hybrid.pixels.pixels()[i]) - glm::ivec3(traced.pixels.pixels()[i]));
-    sum += d.x + d.y + d.z;
-    if (std::max({d.x, d.y, d.z}) > 8) ++far;
-  }
-  const auto pixels = static_cast<double>(hybrid.pixels.pixels().size());
-  EXPECT_LT(sum / (3.0 * pixels), 1.0) << "mean difference in bytes";
-  EXPECT_LT(far / pixels, 0.02) << "shadow edges, which fall by a texel of the shadow map";
+  const test_support::Tolerance tolerance = {
+      8.0, 0.05, "1/255: rounding; edges of shadows fall by a texel of the shadow map", 40};
+  EXPECT_TRUE(test_support::images_agree("composite", test_support::as_floats(hybrid.pixels),
+                                         test_support::as_floats(traced.pixels), tolerance));
 }
 
 TEST(FrameRenderer, ImageOfAnotherSizeIsTheClientsFault) {

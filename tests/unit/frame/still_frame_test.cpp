@@ -10,6 +10,7 @@
 #include "frame/default_view.h"
 #include "frame/frame_renderer.h"
 #include "scene/gltf/loader.h"
+#include "support/compare_images.h"
 
 namespace amalgam::frame {
 namespace {
@@ -46,7 +47,8 @@ class Pair {
     const FrameInput input{camera_image(number), poses};
     FrameOutput output = reusing_.render(view_, input);
     const FrameOutput expected = anew_.render(anew_view_, input);
-    EXPECT_EQ(output.pixels, expected.pixels) << "frame " << number;
+    EXPECT_TRUE(test_support::images_are_same("frame-" + std::to_string(number), output.pixels,
+                                              expected.pixels));
     EXPECT_EQ(output.unchanged, expected.unchanged) << "frame " << number;
     EXPECT_EQ(output.statistics.exposure, expected.statistics.exposure);
     EXPECT_EQ(output.statistics.nonfinite, expected.statistics.nonfinite);

@@ -5,10 +5,16 @@
 #include <functional>
 #include <limits>
 
+#include "codec/jpeg.h"
 #include "net/client_error.h"
+#include "protocol/limits.h"
 
 namespace amalgam::net {
 namespace {
+
+// The decoder knows nothing of the protocol, but accepts what that lets through.
+static_assert(codec::kMaxJpegSide == static_cast<int>(protocol::kMaxSide));
+static_assert(codec::kMaxJpegPixels == static_cast<int>(protocol::kMaxPixels));
 
 protocol::Hello good_hello() {
   protocol::Hello hello;

@@ -131,7 +131,9 @@ TEST(GltfRobustness, MutatedFilesAreReadOrRefused) {
     }
     accepted += refusal_of(mutated) == "accepted";
   }
-  EXPECT_LT(accepted, 1000);
+  // Not all that is edited makes a difference.
+  EXPECT_GT(accepted, 0);
+  EXPECT_LT(accepted, 200);
 }
 
 }  // namespace

@@ -62,6 +62,24 @@ TEST(Tracer, MaskedSurfacesInGlassDoNotChangeWhatItAbsorbs) {
   EXPECT_NEAR(centre(trace_shot(scene, {})).x, std::exp(-1.0f), 1e-4f);
 }
 
+// A lamp in a mirror is one bounce away, however many holes the ray goes through.
+TEST(Tracer, HolesUseUpNoDepth) {
+  scene::Scene scene;
+  add_object(scene, test_support::make_quad(glm::vec3(0.0f), {1, 0, 0}, {0, 1, 0}),
+             test_support::make_mirror(glm::vec3(0.5f)), scene::Role::Virtual);
+  add_object(scene, test_support::make_box({-1, -1, 3}, {1, 1, 4}), emitter(1.0f),
+             scene::Role::Virtual);
+  scene::Material gauze = emitter(9.0f);
+  gauze.base_color.a = 0.0f;
+  gauze.alpha_cutoff = 0.5f;
+  for (const float z : {0.5f, 1.0f}) {
+    add_object(scene, test_support::make_quad({0, 0, z}, {1, 0, 0}, {0, 1, 0}), gauze,
+               scene::Role::Virtual);
+  }
+  EXPECT_EQ(trace_ray(scene, {0, 0, 2}, {0, 0, 0}, {.max_depth = 1}).x, 0.5f);
+  EXPECT_EQ(trace_ray(scene, {0, 0, 2}, {0, 0, 0}, {.max_depth = 0}).x, 0.0f);
+}
+
 // numerics B7: facing mirrors of reflectance r that see a lamp of radiance e through ... each
 // other: the series stops at the depth limit.
 TEST(Tracer, FacingMirrorsFollowTheGeometricSeries) {

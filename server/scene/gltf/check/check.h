@@ -1,9 +1,9 @@
-// Judges a glTF document before any library reads it: everything that is refused is refused here,
-// with the path of the element that is wrong. tinygltf 2.7.0 follows indices and sizes it has not
-// checked, and recurses as deep as a file says.
+// Validates a glTF document before any library reads it. All refusals happen here and name the path
+// of the wrong element. tinygltf 2.7.0 follows unchecked indices and sizes, and recurses as deep as
+// the file nests.
 //
 // The rules are those of the glTF 2.0 specification ("must"). Breaches that cannot change the
-// picture are noted instead: undeclared extensions, missing or rounded accessor bounds, shared
+// picture are only noted: undeclared extensions, missing or rounded accessor bounds, shared
 // strides.
 #pragma once
 

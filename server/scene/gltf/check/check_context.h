@@ -1,5 +1,5 @@
-// What the parts of the glTF check share: the document's collections and how a reference is
-// resolved.
+// Shared by the parts of the glTF check: the document's collections, and resolving references to
+// them.
 #pragma once
 
 #include <map>

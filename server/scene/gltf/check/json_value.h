@@ -1,7 +1,7 @@
-// A JSON document as a tree that can be walked safely, whatever a file contains.
+// A JSON document as a tree that is safe to walk, whatever the file contains.
 //
-// Separate from any JSON library's own tree because the loader judges a glTF file before it hands
-// it on: nesting is bounded while parsing, and every access names the place that was wrong.
+// Not a JSON library's tree, because the loader validates a glTF file before it hands it on:
+// nesting is bounded while parsing, and every error names its place.
 #pragma once
 
 #include <optional>
@@ -41,11 +41,12 @@ class JsonCursor {
 
   // Objects.
   void expect_object() const;
-  std::optional<JsonCursor> find(std::string_view name) const;  // nothing: no such member
-  JsonCursor get(std::string_view name) const;                  // fails if there is none
+  // nothing if there is no such member
+  std::optional<JsonCursor> find(std::string_view name) const;
+  JsonCursor get(std::string_view name) const;  // fails if there is none
   std::vector<std::pair<std::string, JsonCursor>> members() const;
 
-  // Arrays. expect_filled() also refuses an empty one, as the glTF schema does throughout.
+  // Arrays. filled_items() also refuses an empty one, as the glTF schema does throughout.
   std::vector<JsonCursor> items() const;
   std::vector<JsonCursor> filled_items() const;
 
@@ -55,7 +56,7 @@ class JsonCursor {
   long long integer(long long low, long long high = (1LL << 53)) const;
   const std::string& string() const;
   bool boolean() const;
-  std::vector<double> numbers(std::size_t count) const;  // an array of exactly so many
+  std::vector<double> numbers(std::size_t count) const;  // an array of exactly `count` numbers
 
  private:
   JsonCursor(const JsonValue& value, std::string path) : value_(&value), path_(std::move(path)) {}

@@ -1,4 +1,4 @@
-// The references by which a glTF file names other data: relative file names and base64 data URIs.
+// URIs in a glTF file: relative file names and base64 data URIs.
 #pragma once
 
 #include <string>
@@ -12,9 +12,8 @@ bool is_data_uri(const std::string& uri);
 // %XX undone. Throws SceneError for a broken escape or a zero byte.
 std::string decode_percent(const JsonCursor& uri);
 
-// Fail unless the URI is a well-formed data URI of a kind that fits (and, for a buffer, of
-// byte_length bytes), or a relative path: no scheme, not absolute. Whether a file is there is the
-// business of SceneFolder.
+// Throw unless the URI is a well-formed data URI of a fitting kind (for a buffer, of byte_length
+// bytes), or a relative path without a scheme. SceneFolder checks whether the file exists.
 void check_buffer_uri(const JsonCursor& uri, long long byte_length);
 void check_image_uri(const JsonCursor& uri);
 

@@ -1,4 +1,4 @@
-#include "frame/relative_costs.h"
+#include "frame/costs.h"
 
 #include <gtest/gtest.h>
 
