@@ -52,8 +52,11 @@ TEST(HeatMap, ACellShowsItsWorstPixel) {
   const std::string text = heat_map(differences, 1.0);
   const std::vector<std::string> rows = grid(text);
   ASSERT_EQ(rows.size(), 24u);
-  EXPECT_EQ(rows.front(), "+" + std::string(63, ' '));
-  EXPECT_EQ(rows.back(), std::string(63, ' ') + "#");
+  std::string first(64, ' '), last(64, ' ');
+  first.front() = '+';
+  last.back() = '#';
+  EXPECT_EQ(rows.front(), first);
+  EXPECT_EQ(rows.back(), last);
   EXPECT_NE(text.find("a character is 2 x 4 pixels"), std::string::npos) << text;
   EXPECT_NE(text.find("largest difference 9 at (127, 95); 2 of"), std::string::npos) << text;
 }

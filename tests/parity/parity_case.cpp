@@ -51,7 +51,9 @@ glm::dmat4 make_place(int n) {
 }  // namespace
 
 std::string scene_path(const std::string& scene_name) {
-  return std::string(AMALGAM_SOURCE_DIR) + "/deploy/scenes/" + scene_name + ".gltf";
+  std::string path = AMALGAM_SOURCE_DIR "/deploy/scenes/";
+  path.append(scene_name).append(".gltf");
+  return path;
 }
 
 ParityCase make_parity_case(const std::string& scene_name, int width, int height) {

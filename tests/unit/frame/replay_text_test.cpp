@@ -20,7 +20,7 @@ using testing::Not;
 using testing::StartsWith;
 
 const common::MarkerPose kPose = {40, {0.5, -0.5, 0.5, -0.5}, {0.1, -0.25, 1.0 / 3.0}};
-constexpr const char* kWithoutPicture =
+const std::string kWithoutPicture =
     "\n# the camera's picture is not kept; if you have it: --camera-image instead of --size";
 
 ReplayedFrame plain_frame() {
@@ -28,10 +28,10 @@ ReplayedFrame plain_frame() {
 }
 
 TEST(ReplayText, OfAPlainFrameIsShort) {
-  EXPECT_EQ(replay_text(plain_frame()),
-            std::string("echo '{\"poses\":[]}' > poses.json && amalgam-render --scene "
-                        "/scenes/a.gltf --size 64x48 --poses poses.json") +
-                kWithoutPicture);
+  const std::string line =
+      "echo '{\"poses\":[]}' > poses.json && amalgam-render --scene "
+      "/scenes/a.gltf --size 64x48 --poses poses.json";
+  EXPECT_EQ(replay_text(plain_frame()), line + kWithoutPicture);
 }
 
 TEST(ReplayText, HasPosesToTheBit) {

@@ -57,6 +57,19 @@ TEST(Shadow, GlassSlabTransmitsBySurfacesAndAbsorption) {
   EXPECT_EQ(attenuation.real, glm::vec3(1.0f));
 }
 
+// A thin sheet has no inside: whichever side it is met from, nothing is absorbed.
+TEST(Shadow, ThinGlassAbsorbsNothing) {
+  scene::Material sheet = test_support::make_glass(1.5f, glm::vec3(20.0f));
+  sheet.thin = true;
+  for (const float towards_light : {1.0f, -1.0f}) {
+    scene::Scene scene;
+    add_object(scene, test_support::make_quad({0, 1, 0}, {1, 0, 0}, {0, 0, -towards_light}), sheet,
+               scene::Role::Virtual);
+    // 1 - 2R / (1 + R) with R = 0.04.
+    EXPECT_NEAR(shadow_of(scene).mixed.x, 0.96f / 1.04f, 1e-5f) << towards_light;
+  }
+}
+
 // An air bubble's surface is no interface, however flat the light.
 TEST(Shadow, AirCastsNone) {
   EXPECT_EQ(shadow_transmittance(0.05f, 1.0f, false), 1.0f);

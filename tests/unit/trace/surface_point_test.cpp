@@ -57,6 +57,36 @@ TEST(SurfacePoint, MirroredAndStretchedInstancesKeepTheirOutside) {
   EXPECT_GT(glm::dot(point.shading_normal, expected), 0.999);
 }
 
+// A normal texture that leans along v bends a mirrored surface as its mirror image bends.
+TEST(SurfacePoint, NormalTexturesBendMirroredSurfacesAsTheirMirrorImage) {
+  scene::Scene scene;
+  scene::Texture texture;
+  texture.texels = common::ImageRgba8(1, 1, {128, 255, 128, 255});
+  scene.textures.push_back(texture);
+  scene::Mesh quad = test_support::make_quad(glm::vec3(0.0f), {1, 0, 0}, {0, 1, 0});
+  quad.tangents.assign(quad.positions.size(), glm::vec4(1, 0, 0, 1));
+  scene::Material material = test_support::make_mirror();
+  material.normal_texture = 0;
+  const glm::vec3 direction(0.0f, 0.0f, -1.0f);
+  const auto bent = [&](const glm::mat4& place) {
+    scene::Scene placed = scene;
+    add_object(placed, quad, material, scene::Role::Virtual, place);
+    EmbreeScene embree(placed);
+    scene::AnchoredScene anchored;
+    anchored.instances = {{0, place}};
+    embree.place(anchored);
+    const auto hit = embree.intersect({{0.2f, 0.1f, 1.0f}, direction, 10.0f}, Visible::Everything);
+    return surface_point(embree, hit.value(), direction).shading_normal;
+  };
+  const glm::dvec3 plain = bent(glm::mat4(1.0f));
+  EXPECT_GT(plain.y, 0.5);
+  for (const glm::vec3& mirror : {glm::vec3(-1, 1, 1), glm::vec3(1, -1, 1)}) {
+    const glm::dvec3 expected = glm::dvec3(mirror) * plain;
+    const glm::dvec3 mirrored = bent(glm::scale(glm::mat4(1.0f), mirror));
+    EXPECT_LT(glm::distance(mirrored, expected), 1e-6) << mirror.x << " " << mirror.y;
+  }
+}
+
 // numerics B10: for any view above the surface the reflection ends above it too.
 TEST(ValidShadingNormal, KeepsReflectionsAboveTheSurface) {
   std::mt19937 random(3);
