@@ -166,9 +166,11 @@ TEST(StillFrame, AnotherEnvironmentMakesAllAnew) {
   for (int number = 0; number < 3; ++number) pair.render(number, {pair.pose()});
   pair.set_environment(0.5f);
   EXPECT_FALSE(reused(pair.render(3, {pair.pose()})));
-  // The same lights, but another map to reflect would be noticed too.
+  // The same lights again: a map that differs only in what mirrors show is noticed too.
+  pair.render(4, {pair.pose()});
+  EXPECT_TRUE(reused(pair.render(5, {pair.pose()})));
   pair.set_environment(0.5f);
-  EXPECT_FALSE(reused(pair.render(4, {pair.pose()})));
+  EXPECT_FALSE(reused(pair.render(6, {pair.pose()})));
 }
 
 // Refinement looks for edges in the camera's colors.
