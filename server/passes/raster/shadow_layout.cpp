@@ -142,22 +142,6 @@ int size_for(std::size_t layers) {
   return layers <= 128 ? 512 : 256;
 }
 
-bool is_equal(const scene::Light& a, const scene::Light& b) {
-  return a.kind == b.kind && a.to_light == b.to_light && a.position == b.position &&
-         a.intensity == b.intensity && a.range == b.range && a.cos_inner == b.cos_inner &&
-         a.cos_outer == b.cos_outer;
-}
-
-bool is_equal(const scene::AnchoredInstance& a, const scene::AnchoredInstance& b) {
-  return a.instance == b.instance && a.world_from_mesh == b.world_from_mesh;
-}
-
-template <typename T>
-bool are_equal(const std::vector<T>& a, const std::vector<T>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const T& x, const T& y) { return is_equal(x, y); });
-}
-
 }  // namespace
 
 ShadowLayout make_shadow_layout(const RenderView& view, const gl::GpuScene& scene, int size) {
@@ -203,8 +187,8 @@ ShadowLayout make_shadow_layout(const RenderView& view, const gl::GpuScene& scen
 }
 
 bool is_layout_of(const ShadowLayout& layout, const RenderView& view, int size) {
-  return layout.requested_size == size && are_equal(layout.lights, view.lights) &&
-         are_equal(layout.instances, view.scene.instances);
+  return layout.requested_size == size && layout.lights == view.lights &&
+         layout.instances == view.scene.instances;
 }
 
 }  // namespace amalgam::passes
