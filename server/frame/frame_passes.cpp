@@ -16,7 +16,6 @@
 namespace amalgam::frame {
 namespace {
 
-constexpr const char* kNothingMoved = "nothing moved since the last frame";
 constexpr const char* kNoSpecular = "no specular object in the scene";
 
 // Why this frame cannot show anything virtual, whatever the camera image; nothing if it might.
@@ -157,9 +156,10 @@ graph::Handle<T> bring_back(graph::FrameGraph& graph, const char* name, const Ke
 void add_still_passes(graph::FrameGraph& graph, const FrameRequest& request, FramePasses& frame) {
   const StillFrame& still = *request.still;
   for (const char* pass : {"mask", "reached tiles", "diffuse", "effect", "meter", "trace"})
-    graph.note_left_out(pass, kNothingMoved);
-  leave_out_rasterised(graph, kNothingMoved, frame);
-  frame.mask.specular = graph.absent<passes::SpecularSamples>("samples to trace", kNothingMoved);
+    graph.note_left_out(pass, passes::kNothingMoved);
+  leave_out_rasterised(graph, passes::kNothingMoved, frame);
+  frame.mask.specular =
+      graph.absent<passes::SpecularSamples>("samples to trace", passes::kNothingMoved);
   frame.mask.counts = bring_back(graph, "sample counts", still.counts);
   frame.meter_grid = bring_back(graph, "meter grid", still.meter_grid);
   frame.exposure = passes::add_exposure_pass(graph, exposure_inputs(request, frame));
@@ -210,8 +210,8 @@ FramePasses add_frame_passes(graph::FrameGraph& graph, const SceneResources& res
                                                        .keep_coefficients = !wants_own_quality});
   frame.camera_image = decoded.camera_image;
   if (still) {
-    graph.note_left_out("place instances", kNothingMoved);
-    frame.placed = graph.absent<passes::PlacedScene>("placed scene", kNothingMoved);
+    graph.note_left_out("place instances", passes::kNothingMoved);
+    frame.placed = graph.absent<passes::PlacedScene>("placed scene", passes::kNothingMoved);
   } else if (resources.embree != nullptr) {
     frame.placed = passes::add_place_instances_pass(graph, request.render_view, *resources.embree);
   } else {

@@ -19,6 +19,9 @@ class Texture;
 
 namespace amalgam::passes {
 
+// The reason of a pass that is left out because its results from an earlier frame still hold.
+inline constexpr const char* kNothingMoved = "nothing moved since the last frame";
+
 // One frame's geometry, ready to be drawn or traced.
 struct RenderView {
   common::CameraModel camera;  // the client's, with distortion

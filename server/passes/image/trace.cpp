@@ -9,7 +9,7 @@ graph::Handle<PlacedScene> add_place_instances_pass(graph::FrameGraph& graph,
                                                     const RenderView& view,
                                                     trace::EmbreeScene& scene) {
   if (scene.is_placed(view.scene)) {
-    graph.note_left_out("place instances", "nothing moved since the last frame");
+    graph.note_left_out("place instances", kNothingMoved);
     return graph.import("placed scene", PlacedScene{&scene});
   }
   graph::Builder builder = graph.add_pass("place instances");

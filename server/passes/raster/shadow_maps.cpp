@@ -14,7 +14,6 @@
 namespace amalgam::passes {
 namespace {
 
-constexpr const char* kNothingMoved = "nothing moved since the last frame";
 constexpr std::array<const char*, kCasterClasses> kClassNames = {"real opaque", "virtual opaque",
                                                                  "real glass", "virtual glass"};
 

@@ -68,7 +68,7 @@ struct ShadowMapInputs {
 };
 
 // A class without casters in this view is absent. Maps in the cache are imported, and the pass is
-// noted as left out ("nothing moved since the last frame").
+// noted as left out (kNothingMoved).
 struct ShadowMapOutputs {
   std::array<graph::Handle<ShadowMap>, kCasterClasses> maps;  // by CasterClass
   graph::Handle<SharedLights> lights;
