@@ -11,7 +11,8 @@ namespace amalgam::tools {
 namespace {
 
 constexpr double kPageMargin = 10.0;  // mm: what printers leave white
-constexpr double kCaption = 8.0;      // mm below each marker
+constexpr double kCaption = 8.0;      // mm below each marker's margin
+constexpr double kFontSize = 3.2;     // mm
 
 std::string millimetres(double value) {
   char text[32];
@@ -37,8 +38,8 @@ cv::Mat cells_of(const cv::Ptr<cv::aruco::Dictionary>& dictionary, int id) {
   return cells;
 }
 
-SheetMarker make_marker(int id, const cv::Mat& cells, const Square& outline) {
-  SheetMarker marker{id, outline, {}};
+SheetMarker make_marker(int id, const cv::Mat& cells, const Square& outline, double margin) {
+  SheetMarker marker{id, outline, {}, margin};
   const double cell = outline.side / cells.cols;
   for (int y = 0; y < cells.rows; ++y) {
     for (int x = 0; x < cells.cols; ++x) {
@@ -71,7 +72,8 @@ MarkerSheet lay_out_markers(const std::string& dictionary, const std::vector<int
                                " mm do not fit on a page of " + millimetres(page_width) + " x " +
                                millimetres(page_height) + " mm; print fewer at a time");
     }
-    sheet.markers.push_back(make_marker(id, cells_of(known, id), {x + margin, y + margin, side}));
+    sheet.markers.push_back(
+        make_marker(id, cells_of(known, id), {x + margin, y + margin, side}, margin));
     x += across;
   }
   return sheet;
@@ -88,10 +90,10 @@ std::string to_svg(const MarkerSheet& sheet) {
     for (const Square& cell : marker.white) svg += rectangle(cell, "white");
     const Square& outline = marker.outline;
     svg += "<text x=\"" + millimetres(outline.x) + "\" y=\"" +
-           millimetres(outline.y + outline.side + kCaption) +
-           "\" font-family=\"sans-serif\" font-size=\"3.2\" fill=\"#444\">" + sheet.dictionary +
-           ", marker " + std::to_string(marker.id) + ": the black square is " +
-           millimetres(outline.side) + " mm wide</text>\n";
+           millimetres(outline.y + outline.side + marker.margin + kFontSize) +
+           "\" font-family=\"sans-serif\" font-size=\"" + millimetres(kFontSize) +
+           "\" fill=\"#444\">" + sheet.dictionary + ", marker " + std::to_string(marker.id) +
+           ": the black square is " + millimetres(outline.side) + " mm wide</text>\n";
   }
   return svg + "</svg>\n";
 }

@@ -16,6 +16,7 @@ struct SheetMarker {
   int id = 0;
   Square outline;             // of the black square that gives the marker its length
   std::vector<Square> white;  // the cells of its code that are white, inside the outline
+  double margin = 0.0;        // white on all sides of the outline, millimetres
 };
 
 struct MarkerSheet {

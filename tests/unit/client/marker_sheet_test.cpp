@@ -77,5 +77,19 @@ TEST(MarkerSheet, SvgHasMillimetresAndACaption) {
               testing::HasSubstr("DICT_6X6_250, marker 40: the black square is 50.000 mm wide"));
 }
 
+// Print in the white margin would hide the marker's edge from the detector.
+TEST(MarkerSheet, CaptionsLieBelowTheWhiteMargin) {
+  const MarkerSheet sheet = lay_out_markers("DICT_6X6_250", {40}, 0.05);
+  const std::string svg = to_svg(sheet);
+  const std::string before = "<text x=\"22.500\" y=\"";
+  const std::size_t at = svg.find(before);
+  ASSERT_NE(at, std::string::npos);
+  const double baseline = std::stod(svg.substr(at + before.size()));
+  const double letters = 3.2;  // mm above the baseline, at most
+  const SheetMarker& marker = sheet.markers.front();
+  EXPECT_DOUBLE_EQ(marker.margin, 2 * 50.0 / 8);
+  EXPECT_GE(baseline - letters, marker.outline.y + 50.0 + marker.margin - 1e-3);
+}
+
 }  // namespace
 }  // namespace amalgam::tools
