@@ -90,6 +90,25 @@ TEST(Governor, ConvergesBelowTheBudget) {
   }
 }
 
+// Calm frames count in a row: one over the budget begins the count anew.
+TEST(Governor, AFrameOverItsBudgetEndsTheCalm) {
+  Simulation simulation;
+  simulation.full.trace = 60.0;
+  simulation.render(60);
+  simulation.full.trace = 8.0;
+  simulation.render(Governor::kCalmFrames - 1);
+  simulation.full.trace = 300.0;
+  simulation.render();
+  simulation.full.trace = 8.0;
+  const int low = simulation.level();
+  for (int i = 1; i < Governor::kCalmFrames; ++i) {
+    simulation.render();
+    EXPECT_EQ(simulation.level(), low) << i;
+  }
+  simulation.render(2);
+  EXPECT_LT(simulation.level(), low);
+}
+
 // Not lower than need be: one level up would be at the budget or over kCalm of it.
 TEST(Governor, SpendsWhatItHas) {
   Simulation simulation;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 namespace amalgam::frame {
 namespace {
 
@@ -59,6 +61,17 @@ TEST(QualityLadder, WhatIsPlainlySeenIsLoweredOnlyIfAllowed) {
   const QualityLevel coarse = make_quality_ladder(settings).back();
   EXPECT_LT(coarse.render_scale, settings.render_scale);
   EXPECT_LT(coarse.max_depth, fine.max_depth);
+}
+
+// Shares of the operator's scale, and not of the level before.
+TEST(QualityLadder, ScalesAreSharesOfTheOperators) {
+  std::vector<float> scales;
+  for (const QualityLevel& level : make_quality_ladder(settings_of(1, 2, 0.9f, 0.8f))) {
+    if (scales.empty() || scales.back() != level.render_scale) scales.push_back(level.render_scale);
+  }
+  ASSERT_EQ(scales.size(), 4u);
+  const float shares[] = {1.0f, 0.85f, 0.7f, 0.5f};
+  for (std::size_t i = 0; i < scales.size(); ++i) EXPECT_FLOAT_EQ(scales[i], 0.8f * shares[i]);
 }
 
 TEST(QualityLadder, JpegIsNeverFinerThanAskedFor) {

@@ -116,5 +116,19 @@ INSTANTIATE_TEST_SUITE_P(AllSamples, SuperSampling,
                                           testing::Values("1", "4", "9", "16", "adaptive")),
                          test_name);
 
+// Statistics count pixels, however many samples each has.
+TEST(SuperSampling, PixelsAreCountedAndNotSamples) {
+  const common::ImageRgb8 black(kWidth, kHeight);
+  for (const RendererMode mode : {RendererMode::Hybrid, RendererMode::Raytrace}) {
+    const auto one = render(mode, "1", black).statistics.pixels;
+    const auto nine = render(mode, "9", black).statistics.pixels;
+    ASSERT_GT(one.specular, 100u);
+    EXPECT_NEAR(static_cast<double>(nine.specular) / static_cast<double>(one.specular), 1.0, 0.1);
+    EXPECT_NEAR(static_cast<double>(nine.virtual_pixels) / static_cast<double>(one.virtual_pixels),
+                1.0, 0.1);
+    EXPECT_EQ(nine.total, one.total);
+  }
+}
+
 }  // namespace
 }  // namespace amalgam::frame

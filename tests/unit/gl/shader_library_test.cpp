@@ -58,6 +58,14 @@ TEST(ShaderFeatures, SayWhatTheSceneLacks) {
   features = find_features(scene);
   EXPECT_TRUE(features.virtual_glass && features.virtual_opaque);
   EXPECT_FALSE(features.real_glass);
+  EXPECT_FALSE(features.vertex_colors);
+
+  scene::Mesh colored = make_floor(0.0f, 1.0f);
+  colored.colors.assign(colored.positions.size(), glm::vec4(0.5f));
+  add_object(scene, colored, make_diffuse(glm::vec3(0.5f)), scene::Role::Real);
+  features = find_features(scene);
+  EXPECT_TRUE(features.vertex_colors);
+  EXPECT_EQ(features.textures, 0u);
 }
 
 }  // namespace

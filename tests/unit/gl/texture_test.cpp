@@ -39,6 +39,12 @@ TEST(Texture, MovesWithItsDescription) {
   EXPECT_EQ(b.id(), id);
   EXPECT_EQ(b.size(), glm::ivec2(4, 2));
   EXPECT_EQ(b.format(), TextureFormat::Rgba32f);
+
+  Texture array(TextureFormat::Depth32f, {2, 2}, 3);
+  Texture made(std::move(array));
+  EXPECT_EQ(made.layers(), 3);
+  b = std::move(made);
+  EXPECT_EQ(b.layers(), 3);
 }
 
 }  // namespace

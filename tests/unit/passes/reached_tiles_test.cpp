@@ -224,22 +224,27 @@ TEST(ReachedTiles, AreAllThatAnyPointsLookUpIsShadedIn) {
   EXPECT_GT(left_out, 1000);
 }
 
-// A spot's map is asked a little beyond its border too, since the filter still reads a texel there:
-// a tile of points that all lie within half a texel beyond, on each side.
-TEST(ReachedTiles, WhatLiesJustBeyondASpotsBorderIsAsked) {
-  constexpr int kSize = 16;
-  // A light in the origin that looks along -z, 45 degrees to each side.
+// One layer of a light in the origin that looks along -z, 45 degrees to each side.
+ShadowLayout spot_layout(int size) {
   glm::mat4 clip(0.0f);
   clip[0][0] = clip[1][1] = 1.0f;
   clip[3][2] = static_cast<float>(kNearPlane);
   clip[2][3] = -1.0f;
   ShadowLayout layout;
-  layout.size = kSize;
+  layout.size = size;
   layout.layers.resize(1);
   layout.layers[0].clip_from_world = clip;
   layout.layers[0].perspective = 1;
   layout.gpu_lights.resize(1);
-  layout.gpu_lights[0].layer_count = 1;  // and no lift: its texels have no size
+  layout.gpu_lights[0].layer_count = 1;
+  return layout;
+}
+
+// A spot's map is asked a little beyond its border too, since the filter still reads a texel there:
+// a tile of points that all lie within half a texel beyond, on each side.
+TEST(ReachedTiles, WhatLiesJustBeyondASpotsBorderIsAsked) {
+  constexpr int kSize = 16;
+  const ShadowLayout layout = spot_layout(kSize);  // without lift: its texels have no size
   // Something half way between the light and whatever is 1 m away, everywhere.
   const auto half_way = static_cast<float>(2.0 * kNearPlane);
   const CasterCells cells =
@@ -257,6 +262,27 @@ TEST(ReachedTiles, WhatLiesJustBeyondASpotsBorderIsAsked) {
     EXPECT_TRUE(shadowed((1.0 + 0.7 * half_a_texel) * side)) << side.x << " " << side.y;
     EXPECT_FALSE(shadowed((1.1 + four_texels) * side)) << side.x << " " << side.y;
   }
+}
+
+// A spot's texels grow with the distance, and so does the lift of a look-up: a caster a little
+// behind a far surface occludes it too.
+TEST(ReachedTiles, TheLiftOfALookUpGrowsWithTheDistance) {
+  constexpr int kSize = 16;
+  constexpr double kDistance = 20.0;
+  ShadowLayout layout = spot_layout(kSize);
+  layout.gpu_lights[0].texel = 0.02f;  // for each metre: look-ups are lifted by 1.5 * 0.4 m
+  const DepthRange depths[] = {{0.999 * kDistance, 1.001 * kDistance}};
+  const RenderView view = make_view(scene::Scene(), make_pinhole(16, 16, 1000.0),
+                                    look_at(glm::dvec3(0.0), glm::dvec3(0.0, 0.0, -1.0)), {});
+  const auto shadowed = [&](double caster) {
+    const CasterCells cells = CasterCells::of_depths(
+        std::vector<float>(kSize * kSize, static_cast<float>(kNearPlane / caster)), kSize);
+    const CasterCells* casters[] = {&cells};
+    return tiles_in_shadow(view, layout, casters, depths).front() != 0;
+  };
+  EXPECT_TRUE(shadowed(kDistance - 1.0));
+  EXPECT_TRUE(shadowed(kDistance + 0.5));
+  EXPECT_FALSE(shadowed(2.0 * kDistance));
 }
 
 // A tile wrongly left out would lack a shadow.

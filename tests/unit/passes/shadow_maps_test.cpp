@@ -87,6 +87,29 @@ TEST(ShadowMaps, FallWhereTheLightCannotReach) {
   }
 }
 
+// Eight suns are written out one by one in the shader: each casts its shadow. Under all of them
+// there is no light left, and without any one of them there would be.
+TEST(ShadowMaps, EachOfEightSunsCastsOne) {
+  const FloorView view;
+  const auto scene =
+      floor_and(make_quad({0, 0.05f, 0}, {0.2f, 0, 0}, {0, 0, -0.2f}), scene::Role::Virtual);
+  RasterRig rig(scene);
+  std::vector<scene::Light> suns;
+  for (int i = 0; i < 8; ++i) {
+    const float angle = 0.8f * static_cast<float>(i);
+    suns.push_back(make_sun({0.3f * std::cos(angle), 1.0f, 0.3f * std::sin(angle)}));
+  }
+  // From the side, below the blocker: it hides the floor under it from above.
+  const glm::dmat4 from_the_side = look_at({0, 0.03, 0.45}, {0, 0, 0});
+  const RasterFrame frame = rig.render(make_view(scene, view.camera, from_the_side, suns));
+  // The floor in the middle, as far as possible from where any shadow ends.
+  const auto at = common::project(view.camera, glm::dvec3(from_the_side * glm::dvec4(0, 0, 0, 1)));
+  const int x = static_cast<int>(at->x), y = static_cast<int>(at->y);
+  EXPECT_EQ(frame.mixed->at(x, y).w, 0.0f);  // not the blocker
+  EXPECT_EQ(glm::vec3(frame.mixed->at(x, y)), glm::vec3(0.0f));
+  EXPECT_GT(frame.real->at(x, y).x, 0.0f);
+}
+
 TEST(ShadowMaps, OfRealObjectsDarkenBothImagesAlike) {
   const FloorView view;
   const auto scene =
