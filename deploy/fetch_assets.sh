@@ -38,6 +38,7 @@ for part in "$@"; do
 done
 rm -f "$assets"/*.deb
 
+rm -f "$generated/environment.exr"  # of an earlier version, perhaps
 for material in glass mirror; do
   if [ -s "$assets/bunny.obj" ] && [ ! -s "$generated/bunny-$material.gltf" ]; then
     python3 deploy/scenes/wrap_obj.py "$assets/bunny.obj" --material "$material" --output "$generated/bunny-$material.gltf"

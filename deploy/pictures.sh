@@ -3,6 +3,7 @@
 # Needs a build, the demo's assets (deploy/fetch_assets.sh) and ImageMagick, which cuts and joins. Some pictures show test
 # data that the repository does not hold; without it they are named and stay as they are. BIN: where the programs are.
 set -euo pipefail
+[ $# -eq 0 ] || { echo "usage: deploy/pictures.sh: makes deploy/pictures/*.jpg anew (takes no options)" >&2; exit 2; }
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 bin=${BIN:-build/bin}
 out=deploy/pictures

@@ -13,6 +13,7 @@ render --scene deploy/scenes/markers.gltf "${large[@]}" --output "$work/markers.
 jpeg "$work/markers.png" markers -crop 800x600+250+220 -resize 640x480
 
 if have gltf/transmission_chalice; then
+  rm -rf "$work/chalice"
   python3 -B deploy/scenes/wrap_gltf.py "$data/gltf/transmission_chalice/KHR_materials_transmission.gltf" \
     --upside-down --output "$work/chalice/chalice.gltf"
   render --scene "$work/chalice/chalice.gltf" "${large[@]}" --output "$work/chalice.png"

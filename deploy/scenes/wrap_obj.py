@@ -8,11 +8,10 @@ the scene, which may refer to files in its own folder only.
 """
 
 import argparse
-import shutil
 import sys
 from pathlib import Path
 
-from generator.common import LIFT, glass_material, mirror_material, new_scene
+from generator.common import LIFT, copy_environment, glass_material, mirror_material, new_scene
 from generator.obj import read_obj
 
 
@@ -26,16 +25,15 @@ def main():
 
     try:
         shape = read_obj(arguments.input, arguments.height)
+        arguments.output.parent.mkdir(parents=True, exist_ok=True)
+        copy_environment(arguments.output.parent)
     except (OSError, ValueError) as error:
         sys.exit(f"{arguments.input}: {error}")
     scene = new_scene()
     material = (glass_material(scene, arguments.height / 2) if arguments.material == "glass"
                 else mirror_material(scene, "mirror", 0.95))
     scene.add(arguments.input.stem, shape, material, translation=[0.0, LIFT, -0.09])
-    arguments.output.parent.mkdir(parents=True, exist_ok=True)
     scene.write(arguments.output)
-    shutil.copyfile(Path(__file__).resolve().parent / "environment.exr",
-                    arguments.output.parent / "environment.exr")
     print(f"{arguments.output}: {shape.triangles} triangles of {arguments.material}")
 
 

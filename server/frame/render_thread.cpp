@@ -1,7 +1,6 @@
 #include "frame/render_thread.h"
 
 #include <algorithm>
-#include <set>
 #include <stdexcept>
 
 #include "codec/jpeg.h"
@@ -11,21 +10,16 @@
 #include "frame/frame_renderer.h"
 #include "frame/view_state.h"
 #include "scene/gltf/loader.h"
+#include "scene/marker_ids.h"
 
 namespace amalgam::frame {
 namespace {
 
 FrameService::MarkerSet marker_set(const scene::Scene& scene) {
-  FrameService::MarkerSet markers{.dictionary = scene.world.dictionary,
-                                  .marker_length = scene.world.marker_length,
-                                  .world_marker = scene.world.marker,
-                                  .ids = {scene.world.marker}};
-  std::set<int> bound;
-  for (const scene::Instance& instance : scene.instances) {
-    if (instance.marker && *instance.marker != scene.world.marker) bound.insert(*instance.marker);
-  }
-  markers.ids.insert(markers.ids.end(), bound.begin(), bound.end());
-  return markers;
+  return {.dictionary = scene.world.dictionary,
+          .marker_length = scene.world.marker_length,
+          .world_marker = scene.world.marker,
+          .ids = scene::marker_ids(scene)};
 }
 
 // Renders a small frame and drops it. This compiles shaders and draws shadow maps; otherwise the

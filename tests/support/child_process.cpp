@@ -11,7 +11,8 @@
 
 namespace amalgam::tests {
 
-ChildProcess::ChildProcess(const std::string& program, std::vector<std::string> arguments) {
+ChildProcess::ChildProcess(const std::string& program, std::vector<std::string> arguments,
+                           Reads reads) {
   const std::string path = std::string(AMALGAM_BINARY_DIR) + "/bin/" + program;
   std::vector<char*> argv{const_cast<char*>(path.c_str())};
   for (std::string& argument : arguments) argv.push_back(argument.data());
@@ -22,6 +23,7 @@ ChildProcess::ChildProcess(const std::string& program, std::vector<std::string> 
   if (pid_ < 0) throw std::runtime_error("no process");
   if (pid_ == 0) {
     dup2(pipe_ends[1], STDOUT_FILENO);
+    if (reads == Reads::OutputAndErrors) dup2(pipe_ends[1], STDERR_FILENO);
     execv(path.c_str(), argv.data());
     _exit(127);
   }

@@ -12,9 +12,12 @@ namespace amalgam::tests {
 
 class ChildProcess {
  public:
-  // Runs a program of the build's bin folder; its standard error goes to the test's. Throws
-  // std::runtime_error.
-  ChildProcess(const std::string& program, std::vector<std::string> arguments);
+  // Standard error goes to the test's own, or is read together with standard output.
+  enum class Reads { Output, OutputAndErrors };
+
+  // Runs a program of the build's bin folder. Throws std::runtime_error.
+  ChildProcess(const std::string& program, std::vector<std::string> arguments,
+               Reads reads = Reads::Output);
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;

@@ -1,5 +1,6 @@
 #include "client/tools/render/render_input.h"
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -10,6 +11,7 @@
 #include "client/marker_tracker.h"
 #include "codec/jpeg.h"
 #include "frame/default_view.h"
+#include "scene/marker_ids.h"
 
 namespace amalgam::tools {
 namespace {
@@ -80,6 +82,19 @@ std::vector<common::MarkerPose> load_poses(const std::filesystem::path& path) {
     }
   }
   return poses;
+}
+
+std::string describe_missing_markers(const RenderInput& input, const scene::Scene& scene) {
+  const std::vector<int> wanted = scene::marker_ids(scene);
+  std::string found;
+  for (const common::MarkerPose& pose : input.frame.poses) {
+    if (std::find(wanted.begin(), wanted.end(), pose.marker) != wanted.end()) return "";
+    found += (found.empty() ? "" : ", ") + std::to_string(pose.marker);
+  }
+  if (found.empty() && input.detected)
+    return "no marker of " + scene.world.dictionary + " found in the image";
+  return "no marker of the scene among the poses (" + (found.empty() ? "none" : found) +
+         "): its world_marker is " + std::to_string(wanted.front());
 }
 
 RenderInput load_render_input(const RenderInputOptions& options, const scene::Scene& scene) {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "common/camera_model.h"
@@ -28,6 +29,9 @@ struct RenderInput {
 // Without an image: mid grey, from a fixed place above the world marker. Without poses: detects the
 // scene's markers in the image. Throws std::runtime_error with one line.
 RenderInput load_render_input(const RenderInputOptions& options, const scene::Scene& scene);
+
+// Why nothing of the scene will show: no pose is one of its markers'. Empty if one is.
+std::string describe_missing_markers(const RenderInput& input, const scene::Scene& scene);
 
 // {"poses":[{"marker":40,"rotation":[x,y,z,w],"translation":[x,y,z]}]}: camera_from_marker, OpenCV
 // axes, metres. Throws std::runtime_error.

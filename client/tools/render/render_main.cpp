@@ -88,9 +88,8 @@ void run(const Options& options) {
   frame::FrameRenderer renderer(scene::load_scene(options.scene), settings);
   for (const std::string& note : renderer.scene().notes) common::log_debug(note);
   tools::RenderInput input = tools::load_render_input(options.input, renderer.scene());
-  if (input.detected && input.frame.poses.empty()) {
-    common::log_warn("no marker of " + renderer.scene().world.dictionary + " found in the image");
-  }
+  const std::string warning = tools::describe_missing_markers(input, renderer.scene());
+  if (!warning.empty()) common::log_warn(warning);
   frame::ViewOptions view_options{.camera = input.camera};
   view_options.keep_pixels = true;
   frame::ViewState view(view_options);

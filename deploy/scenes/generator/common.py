@@ -1,6 +1,7 @@
 """What all scenes share: the marker they stand on, the real table, the materials."""
 
 import math
+from pathlib import Path
 
 from .gltf_writer import GltfWriter
 from .shapes import quad
@@ -16,6 +17,15 @@ def new_scene(environment="environment.exr"):
     table = scene.material("table", (0.60, 0.59, 0.57), roughness=0.9)
     scene.add("table", quad(1.2, 0.9, center=(-0.05, -0.05)), table, role="real")
     return scene
+
+
+def copy_environment(folder):
+    """Copies our environment map beside a scene. Another one of that name is not replaced."""
+    ours = (Path(__file__).resolve().parent.parent / "environment.exr").read_bytes()
+    target = folder / "environment.exr"
+    if target.exists() and target.read_bytes() != ours:
+        raise ValueError(f"{target} is another environment map; choose an empty folder")
+    target.write_bytes(ours)
 
 
 def mirror_material(scene, name, reflectance):

@@ -146,6 +146,22 @@ TEST_F(Programs, PhotographGetsItsObjects) {
   EXPECT_TRUE(fs::exists(folder_ / "d" / "mixed.exr"));
 }
 
+// A scene on another marker than the picture's would otherwise just be missing.
+TEST_F(Programs, PosesOfOtherMarkersGiveAWarning) {
+  const fs::path poses = folder_ / "poses.json";
+  std::ofstream(poses)
+      << R"({"poses":[{"marker":3,"rotation":[1,0,0,0],"translation":[0,0,0.4]}]})";
+  ChildProcess render("amalgam-render",
+                      {"--scene", scene_path("complex"), "--poses", poses.string(), "--size",
+                       "32x24", "--output", (folder_ / "out.png").string()},
+                      ChildProcess::Reads::OutputAndErrors);
+  const std::string said = render.read_all(kPatience);
+  EXPECT_EQ(render.wait(seconds(10)), 0);
+  EXPECT_NE(said.find("no marker of the scene among the poses (3): its world_marker is 40"),
+            std::string::npos)
+      << said;
+}
+
 // The same shares as numbers, as a buffer and as a picture with its legend.
 TEST_F(Programs, LightIsAccountedFor) {
   ChildProcess render("amalgam-render", {"--scene", scene_path("complex"), "--size", "160x120",
