@@ -79,12 +79,20 @@ inline const char* to_string(FrameQuality::Bound bound) {
   return "";
 }
 
+// How far the composite may be from the one with unlimited depth and without a cut-off, in
+// display-linear light and before the JPEG (trace/truncation_bound.h says what it does not bound).
+struct TruncationBound {
+  double mean = 0.0;   // over the rendered image's pixels and channels
+  double worst = 0.0;  // of any pixel and channel
+};
+
 struct FrameStatistics {
   core::StageTimes stages;
   std::vector<PassRecord> passes;
   core::RayCounts rays;
   PixelCounts pixels;
   std::uint64_t nonfinite = 0;  // values replaced by 0
+  TruncationBound truncation_bound;
   float exposure = 1.0f;
   std::optional<FrameQuality> quality;  // only with a target frame rate
 };

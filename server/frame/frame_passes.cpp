@@ -50,6 +50,7 @@ passes::TraceInputs trace_inputs(const SceneResources& resources, const FrameReq
   const auto& environment = resources.scene.environment;
   return {.view = request.render_view,
           .environment = environment ? &*environment : nullptr,
+          .largest_environment = resources.largest_environment,
           .settings = request.settings.trace,
           .keep_images = request.keep_buffers,
           .keep_provenance = request.keep_buffers || request.view.options.keep_provenance,

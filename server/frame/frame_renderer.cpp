@@ -2,6 +2,7 @@
 
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <thread>
@@ -48,9 +49,11 @@ FrameStatistics collect_statistics(const graph::FrameGraph& graph, const FramePa
   const auto samples = static_cast<std::uint64_t>(view.samples_per_side * view.samples_per_side);
   statistics.pixels.total =
       static_cast<std::uint64_t>(view.ideal.width) * static_cast<std::uint64_t>(view.ideal.height);
+  core::TruncationBound truncation;
   if (const trace::TraceResult* traced = graph.peek(frame.traced)) {
     statistics.rays = traced->counts.rays;
     statistics.nonfinite += traced->nonfinite;
+    truncation += traced->truncation;
     statistics.pixels.virtual_pixels = traced->counts.primary_virtual / samples;
     statistics.pixels.specular = traced->counts.primary_specular / samples;
   }
@@ -62,10 +65,14 @@ FrameStatistics collect_statistics(const graph::FrameGraph& graph, const FramePa
     statistics.rays += refinement->rays;
     statistics.pixels.refined = refinement->pixels;
     statistics.nonfinite += refinement->nonfinite;
+    // Refined pixels count twice, also as they were before: more than needed, but still a bound.
+    truncation += refinement->truncation;
   }
   if (const auto* nonfinite = graph.peek(frame.rasterised_nonfinite)) {
     statistics.nonfinite += *nonfinite;
   }
+  statistics.truncation_bound = {truncation.sum / static_cast<double>(statistics.pixels.total),
+                                 std::min(truncation.worst, 1.0)};
   if (const float* exposure = graph.peek(frame.exposure)) statistics.exposure = *exposure;
   return statistics;
 }
@@ -91,6 +98,8 @@ class FrameRenderer::Impl {
         scene_(scene_variant(std::move(scene), settings.mode)),
         features_(scene::scene_features(scene_)),
         mesh_bounds_(scene::mesh_bounds(scene_)),
+        largest_environment_(scene_.environment ? scene::largest_radiance(*scene_.environment)
+                                                : glm::vec3(0.0f)),
         arena_(rendering_threads(settings)),
         owner_(std::this_thread::get_id()) {
     check_settings(settings);
@@ -119,6 +128,7 @@ class FrameRenderer::Impl {
   void set_environment(scene::Environment environment) {
     scene_.environment = std::move(environment);
     features_ = scene::scene_features(scene_);
+    largest_environment_ = scene::largest_radiance(*scene_.environment);
     environment_lights_.reset();
     ++environments_;
   }
@@ -138,6 +148,7 @@ class FrameRenderer::Impl {
         .scene = scene_,
         .features = features_,
         .mesh_bounds = mesh_bounds_,
+        .largest_environment = largest_environment_,
         .embree = embree_ ? &*embree_ : nullptr,
         .raster = raster_ ? &raster_->passes : nullptr,
         .shadows = raster_ ? &raster_->shadows : nullptr,
@@ -264,6 +275,7 @@ class FrameRenderer::Impl {
   scene::Scene scene_;
   scene::SceneFeatures features_;
   std::vector<scene::Bounds> mesh_bounds_;  // by Scene::meshes
+  glm::vec3 largest_environment_;           // scene::largest_radiance; 0 without an environment
   passes::EnvironmentLightCache environment_lights_;
   std::uint64_t environments_ = 0;  // changes so far
   std::optional<trace::EmbreeScene> embree_;

@@ -216,6 +216,8 @@ protocol::Composite composite_from(const frame::FrameOutput& output) {
   pixels.set_specular(statistics.pixels.specular);
   pixels.set_total(statistics.pixels.total);
   composite.set_nonfinite(statistics.nonfinite);
+  composite.mutable_truncation_bound()->set_mean(statistics.truncation_bound.mean);
+  composite.mutable_truncation_bound()->set_worst(statistics.truncation_bound.worst);
   if (statistics.quality) *composite.mutable_quality() = quality_from(*statistics.quality);
   return composite;
 }

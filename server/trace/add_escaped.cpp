@@ -7,15 +7,22 @@ void Tile::add_escaped() {
   for (const EscapedItem& item : escaped_) {
     SampleResult& sample = paths_.samples[item.sample];
     add_provenance(item.sample, item.source, mean_channel(item.weight));
-    if (request_.environment == nullptr) continue;
-    const glm::vec3 light =
-        item.weight * scene::sample_environment(*request_.environment, item.direction);
-    if (request_.environment->low_dynamic_range) {
+    const scene::Environment* environment = request_.environment;
+    const bool is_ldr = environment != nullptr && environment->low_dynamic_range;
+    const glm::vec3 light = environment != nullptr ? item.weight * scene::sample_environment(
+                                                                       *environment, item.direction)
+                                                   : glm::vec3(0.0f);
+    if (is_ldr) {
       sample.environment_reflection += light;
     } else {
       sample.mixed += light;
       sample.real += light;
     }
+    if (item.source != core::LightSource::CutOff) continue;
+    paths_.truncations.resize(paths_.samples.size());
+    Truncation& truncation = paths_.truncations[item.sample];
+    truncation.weight += item.weight;
+    (is_ldr ? truncation.environment : truncation.radiance) += light;
   }
 }
 

@@ -151,6 +151,7 @@ struct EmbreeScene::Impl {
 
 EmbreeScene::EmbreeScene(const scene::Scene& scene)
     : scene_(scene),
+      mesh_bounds_(scene::mesh_bounds(scene)),
       placed_(scene.instances.size()),
       last_placed_(scene.instances.size()),
       impl_(std::make_unique<Impl>()) {
@@ -220,6 +221,18 @@ void EmbreeScene::place(const scene::AnchoredScene& anchored) {
   }
   rtcCommitScene(impl_->top.get());
   last_placed_ = std::move(next);
+}
+
+scene::Bounds EmbreeScene::world_bounds(std::uint32_t instance) const {
+  scene::Bounds bounds{glm::vec3(std::numeric_limits<float>::max()),
+                       glm::vec3(std::numeric_limits<float>::lowest())};
+  for (const glm::dvec3& corner :
+       scene::placed_corners(mesh_bounds_[scene_.instances[instance].mesh],
+                             glm::mat4(placed_[instance].world_from_mesh))) {
+    bounds.low = glm::min(bounds.low, glm::vec3(corner));
+    bounds.high = glm::max(bounds.high, glm::vec3(corner));
+  }
+  return bounds;
 }
 
 std::optional<Hit> EmbreeScene::intersect(const Ray& ray, Visible visible) const {

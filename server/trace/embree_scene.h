@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "scene/anchored_scene.h"
+#include "scene/bounds.h"
 #include "scene/scene.h"
 #include "trace/mesh_triangle.h"
 
@@ -103,6 +104,10 @@ class EmbreeScene {
   // Whether the scene has any surface that light can pass: glass or alpha cut-outs.
   bool anything_passes_light() const { return anything_passes_light_; }
   const PlacedInstance& placed(std::uint32_t instance) const { return placed_[instance]; }
+  // Whether the instance was in the last frame that was placed.
+  bool is_in_frame(std::uint32_t instance) const { return last_placed_[instance].has_value(); }
+  // Its box, aligned with the world's axes, metres.
+  scene::Bounds world_bounds(std::uint32_t instance) const;
   const MeshTriangle& triangle(const Hit& hit) const {
     return placed_[hit.instance].triangles[hit.triangle];
   }
@@ -114,6 +119,7 @@ class EmbreeScene {
 
   const scene::Scene& scene_;
   std::vector<std::vector<MeshTriangle>> triangles_;  // by Scene::meshes
+  std::vector<scene::Bounds> mesh_bounds_;            // by Scene::meshes
   // By Scene::instances.
   std::vector<PlacedInstance> placed_;
   std::vector<std::uint8_t> ends_light_;  // real and opaque everywhere

@@ -1,8 +1,11 @@
 #include "trace/resolve_tile.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "scene/light/tone_map.h"
+#include "trace/truncation_bound.h"
 
 namespace amalgam::trace {
 namespace {
@@ -21,13 +24,35 @@ void keep_images(const SampleResult& sample, TracedImages& images) {
   images.met_virtual.at(x, y) = sample.met_virtual ? 1 : 0;
 }
 
+// Of a tile's pixels: the mean over the samples of each.
+core::TruncationBound bound_truncation(const TilePaths& paths, const RadianceLimit& limit,
+                                       float share, float exposure) {
+  core::TruncationBound bound;
+  if (paths.truncations.empty()) return bound;
+  std::array<glm::vec3, core::LayerTile::kPixels> pixels{};
+  for (std::size_t s = 0; s < paths.samples.size(); ++s) {
+    const Truncation& truncation = paths.truncations[s];
+    if (truncation.weight == glm::vec3(0.0f)) continue;
+    const SampleResult& sample = paths.samples[s];
+    pixels[core::LayerTile::index(sample.pixel_x, sample.pixel_y)] +=
+        share * truncation_bound(sample, truncation, limit, exposure);
+  }
+  for (const glm::vec3& pixel : pixels) {
+    bound += {.sum = double{pixel.x + pixel.y + pixel.z} / 3.0,
+              .worst = std::max({pixel.x, pixel.y, pixel.z})};
+  }
+  return bound;
+}
+
 }  // namespace
 
-std::uint64_t resolve_tile(std::size_t tile, const TilePaths& paths, int samples_per_side,
-                           float exposure, TraceResult& result) {
-  if (paths.samples.empty()) return 0;
+ResolvedTile resolve_tile(std::size_t tile, const TilePaths& paths, const RadianceLimit& limit,
+                          int samples_per_side, float exposure, TraceResult& result) {
+  ResolvedTile resolved;
+  if (paths.samples.empty()) return resolved;
   const float share = 1.0f / static_cast<float>(samples_per_side * samples_per_side);
-  std::uint64_t replaced = 0;
+  resolved.truncation = bound_truncation(paths, limit, share, exposure);
+  std::uint64_t& replaced = resolved.nonfinite;
   core::LayerTile& layers = result.layers.make(tile);
   for (SampleResult sample : paths.samples) {
     sample.mixed = replace_nonfinite(sample.mixed, replaced);
@@ -42,7 +67,7 @@ std::uint64_t resolve_tile(std::size_t tile, const TilePaths& paths, int samples
     }
     if (result.images && sample.first_of_pixel) keep_images(sample, *result.images);
   }
-  return replaced;
+  return resolved;
 }
 
 }  // namespace amalgam::trace

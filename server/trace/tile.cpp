@@ -19,6 +19,7 @@ void Tile::start(std::size_t tile) {
   tile_ = tile;
   paths_.samples.clear();
   paths_.look_ups.clear();
+  paths_.truncations.clear();
   provenance_.clear();
   logged_.clear();
   counts_ = {};

@@ -31,12 +31,22 @@ struct LookUp {
   glm::vec3 modelled_real{0.0f};
 };
 
+// The branches of one sample that were cut off, by the depth limit or the importance cut-off.
+struct Truncation {
+  glm::vec3 weight{0.0f};       // their shares of the sample's light
+  glm::vec3 radiance{0.0f};     // the light that they took instead; contained in I_m
+  glm::vec3 environment{0.0f};  // likewise in I_e
+};
+
 struct TilePaths {
   std::vector<SampleResult> samples;
   std::vector<LookUp> look_ups;  // not yet added to the samples
+  // By sample; empty if no branch was cut off.
+  std::vector<Truncation> truncations;
 
   std::size_t bytes() const {
-    return samples.size() * sizeof(SampleResult) + look_ups.size() * sizeof(LookUp);
+    return samples.size() * sizeof(SampleResult) + look_ups.size() * sizeof(LookUp) +
+           truncations.size() * sizeof(Truncation);
   }
 };
 

@@ -12,6 +12,7 @@
 #include "core/layers.h"
 #include "core/provenance.h"
 #include "core/ray_counts.h"
+#include "core/truncation.h"
 #include "scene/light/environment.h"
 #include "scene/light/light.h"
 #include "trace/camera_lookup.h"
@@ -36,7 +37,9 @@ struct TraceRequest {
   const EmbreeScene& scene;
   std::span<const scene::Light> lights;
   const scene::Environment* environment = nullptr;  // null: black
-  common::CameraModel camera;                       // pinhole; primary rays go through its pixels
+  // scene::largest_radiance(*environment), for the truncation bound. None: found by each call.
+  std::optional<glm::vec3> largest_environment{};
+  common::CameraModel camera;  // pinhole; primary rays go through its pixels
   glm::dmat4 camera_from_world{1.0};
   // n: sample (i, j) of pixel (x, y) lies at x - 0.5 + (i + 0.5) / n, y likewise.
   int samples_per_side = 1;
@@ -73,7 +76,9 @@ struct TracedImages {
 struct TraceResult {
   core::Layers layers;  // of the traced samples; the rasteriser adds the others
   PathCounts counts;
-  std::uint64_t nonfinite = 0;               // sample values replaced by 0
+  std::uint64_t nonfinite = 0;  // sample values replaced by 0
+  // Of the traced samples (truncation_bound.h).
+  core::TruncationBound truncation;
   std::shared_ptr<const TracedPaths> paths;  // null: not kept
   std::optional<TracedImages> images;
   std::optional<core::ProvenanceImage> provenance;  // of the traced samples

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/ray_counts.h"
+#include "trace/radiance_limit.h"
 #include "trace/tile_paths.h"
 
 namespace amalgam::trace {
@@ -34,6 +35,7 @@ struct TracedPaths {
   int samples_per_side = 1;
   std::vector<TilePaths> tiles;  // by core::TileGrid(size)
   PathCounts counts;
+  RadianceLimit limit;  // without the camera image's colors
 
   std::size_t bytes() const {
     std::size_t sum = tiles.size() * sizeof(TilePaths);

@@ -33,32 +33,53 @@ TraceResult empty_result(const TraceRequest& request) {
 // Collects the tiles' paths up to the memory limit.
 class PathKeeper {
  public:
-  PathKeeper(const TraceRequest& request, std::size_t tiles) : limit_(request.keep_paths_below) {
-    if (limit_ == 0) return;
+  PathKeeper(const TraceRequest& request, const RadianceLimit& limit, std::size_t tiles)
+      : most_bytes_(request.keep_paths_below) {
+    if (most_bytes_ == 0) return;
     paths_ = std::make_shared<TracedPaths>();
     paths_->size = {request.camera.width, request.camera.height};
     paths_->samples_per_side = request.samples_per_side;
+    paths_->limit = limit;
     paths_->tiles.resize(tiles);
   }
 
   // Different tiles may be kept by different threads.
   void keep(std::size_t tile, const TilePaths& paths) {
     if (paths_ == nullptr || paths.samples.empty()) return;
-    if (bytes_ += paths.bytes(); bytes_ < limit_) paths_->tiles[tile] = paths;
+    if (bytes_ += paths.bytes(); bytes_ < most_bytes_) paths_->tiles[tile] = paths;
   }
 
   // Null if they exceeded it.
   std::shared_ptr<const TracedPaths> take(const PathCounts& counts) {
-    if (paths_ == nullptr || bytes_ >= limit_) return nullptr;
+    if (paths_ == nullptr || bytes_ >= most_bytes_) return nullptr;
     paths_->counts = counts;
     return std::move(paths_);
   }
 
  private:
-  std::size_t limit_;
+  std::size_t most_bytes_;
   std::shared_ptr<TracedPaths> paths_;
   std::atomic<std::size_t> bytes_ = 0;
 };
+
+RadianceLimit radiance_limit(const TraceRequest& request) {
+  const scene::Environment* environment = request.environment;
+  glm::vec3 largest(0.0f);
+  if (environment != nullptr) {
+    largest = request.largest_environment ? *request.largest_environment
+                                          : scene::largest_radiance(*environment);
+  }
+  return find_radiance_limit(request.scene, request.lights, environment, largest,
+                             request.lookup != nullptr);
+}
+
+// In the order of the tiles, so that sums do not depend on the threads.
+void add_resolved(const std::vector<ResolvedTile>& tiles, TraceResult& result) {
+  ResolvedTile all;
+  for (const ResolvedTile& tile : tiles) all += tile;
+  result.nonfinite = all.nonfinite;
+  result.truncation = all.truncation;
+}
 
 }  // namespace
 
@@ -76,9 +97,12 @@ TraceResult trace(const TraceRequest& request) {
 
   const std::size_t tiles = result.layers.grid().count();
   std::vector<PathCounts> counts(tiles);
-  std::vector<std::uint64_t> nonfinite(tiles);
+  std::vector<ResolvedTile> resolved(tiles);
   std::vector<std::vector<LoggedRay>> logged(request.ray_log != nullptr ? tiles : 0);
-  PathKeeper keeper(request, tiles);
+  const RadianceLimit limit = radiance_limit(request);
+  const RadianceLimit limit_with_camera =
+      lookup ? with_camera_image(limit, *request.camera_image, request.exposure) : limit;
+  PathKeeper keeper(request, limit, tiles);
   tbb::enumerable_thread_specific<Tile> workers([&] { return Tile(context); });
   tbb::parallel_for(std::size_t{0}, tiles, [&](std::size_t i) {
     Tile& tile = workers.local();
@@ -86,14 +110,14 @@ TraceResult trace(const TraceRequest& request) {
     tile.trace();
     keeper.keep(i, tile.paths());
     if (lookup) add_look_ups(tile.paths(), *request.camera_image, request.exposure);
-    nonfinite[i] =
-        resolve_tile(i, tile.paths(), request.samples_per_side, request.exposure, result);
+    resolved[i] = resolve_tile(i, tile.paths(), limit_with_camera, request.samples_per_side,
+                               request.exposure, result);
     if (result.provenance) tile.keep_provenance(*result.provenance);
     counts[i] = tile.counts();
     if (request.ray_log != nullptr) logged[i] = tile.logged();
   });
   for (const PathCounts& tile : counts) result.counts += tile;
-  for (const std::uint64_t tile : nonfinite) result.nonfinite += tile;
+  add_resolved(resolved, result);
   for (const auto& rays : logged) {
     request.ray_log->rays.insert(request.ray_log->rays.end(), rays.begin(), rays.end());
   }
@@ -107,16 +131,17 @@ TraceResult look_up_again(const TracedPaths& paths, const common::ImageRgb8& cam
   result.layers = core::Layers(paths.size);
   result.counts = paths.counts;
   result.counts.rays = {.reused = paths.counts.rays.cast()};
-  std::atomic<std::uint64_t> nonfinite = 0;  // integers: the order of the sum does not matter
+  const RadianceLimit limit = with_camera_image(paths.limit, camera_image, exposure);
+  std::vector<ResolvedTile> resolved(paths.tiles.size());
   tbb::enumerable_thread_specific<TilePaths> workers;
   tbb::parallel_for(std::size_t{0}, paths.tiles.size(), [&](std::size_t i) {
     if (paths.tiles[i].samples.empty()) return;
     TilePaths& tile = workers.local();
     tile = paths.tiles[i];
     add_look_ups(tile, camera_image, exposure);
-    nonfinite += resolve_tile(i, tile, paths.samples_per_side, exposure, result);
+    resolved[i] = resolve_tile(i, tile, limit, paths.samples_per_side, exposure, result);
   });
-  result.nonfinite = nonfinite;
+  add_resolved(resolved, result);
   return result;
 }
 

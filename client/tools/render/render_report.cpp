@@ -66,6 +66,8 @@ void print_json(std::ostream& out, const std::vector<frame::FrameOutput>& frames
                     {"total", last.pixels.total}};
   json["provenance"] = provenance_sums(frames.back().provenance.value_or(core::ProvenanceImage{}));
   json["nonfinite"] = last.nonfinite;
+  json["truncation_bound"] = {{"mean", last.truncation_bound.mean},
+                              {"worst", last.truncation_bound.worst}};
   json["exposure"] = last.exposure;
   if (last.quality) json["quality"] = quality_json(*last.quality);
   json["unchanged"] = frames.back().unchanged;

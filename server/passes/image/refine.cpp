@@ -118,7 +118,9 @@ RefineOutputs add_refine_pass(graph::FrameGraph& graph, const RefineInputs& in) 
     trace::TraceResult refined = trace_samples(in.trace, access, {&mask, 1, in.samples_per_side});
     replace_marked(layers, refined.layers, edges);
 
-    Refinement statistics{.rays = refined.counts.rays, .nonfinite = refined.nonfinite};
+    Refinement statistics{.rays = refined.counts.rays,
+                          .nonfinite = refined.nonfinite,
+                          .truncation = refined.truncation};
     statistics.rays.primary += asked;
     statistics.pixels =
         static_cast<std::uint64_t>(std::count(edges.pixels().begin(), edges.pixels().end(), 1));

@@ -12,6 +12,7 @@
 
 #include "core/provenance.h"
 #include "core/ray_counts.h"
+#include "core/truncation.h"
 #include "graph/frame_graph.h"
 #include "passes/frame_resources.h"
 #include "passes/image/trace.h"
@@ -39,6 +40,7 @@ struct Refinement {
   core::RayCounts rays;  // first hits as primary
   std::uint64_t pixels = 0;
   std::uint64_t nonfinite = 0;
+  core::TruncationBound truncation{};  // of the refined pixels
   // Of the refined pixels, if TraceInputs::keep_provenance.
   common::Image<std::uint8_t> marked{};  // 1: refined
   std::optional<core::ProvenanceImage> provenance{};

@@ -43,6 +43,7 @@ trace::TraceResult trace_samples(const TraceInputs& in, const graph::Access& acc
       .scene = *access.get(in.scene).scene,
       .lights = in.view.lights,
       .environment = in.environment,
+      .largest_environment = in.largest_environment,
       .camera = in.view.ideal,
       .camera_from_world = in.view.scene.camera_from_world,
       .samples_per_side = samples.per_side,

@@ -25,6 +25,7 @@ graph::Handle<PlacedScene> add_place_instances_pass(graph::FrameGraph& graph,
 struct TraceInputs {
   const RenderView& view;
   const scene::Environment* environment = nullptr;
+  glm::vec3 largest_environment{0.0f};  // scene::largest_radiance(*environment)
   trace::TraceSettings settings;
   bool keep_images = false;
   bool keep_provenance = false;

@@ -26,6 +26,12 @@ glm::vec3 environment_direction(const Environment& environment, const glm::vec2&
           std::sin(colatitude) * std::cos(longitude)};
 }
 
+glm::vec3 largest_radiance(const Environment& environment) {
+  glm::vec3 largest(0.0f);
+  for (const glm::vec3& texel : environment.radiance.pixels()) largest = glm::max(largest, texel);
+  return largest;
+}
+
 glm::vec3 sample_environment(const Environment& environment, const glm::vec3& direction) {
   const common::ImageRgb32f& map = environment.radiance;
   const glm::vec2 pixel = environment_pixel(environment, direction);

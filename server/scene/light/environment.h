@@ -26,6 +26,9 @@ glm::vec2 environment_pixel(const Environment& environment, const glm::vec3& dir
 // The unit direction of continuous pixel coordinates.
 glm::vec3 environment_direction(const Environment& environment, const glm::vec2& pixel);
 
+// The largest value of each channel.
+glm::vec3 largest_radiance(const Environment& environment);
+
 // Bilinear look-up; wraps around in longitude, clamps at the poles.
 glm::vec3 sample_environment(const Environment& environment, const glm::vec3& direction);
 

@@ -192,6 +192,7 @@ TEST(Wire, ACompositeTellsRaysAndPixels) {
   output.statistics.rays = {1, 2, 3, 4, 5, 6};
   output.statistics.pixels = {.virtual_pixels = 7, .specular = 8, .refined = 9, .total = 10};
   output.statistics.nonfinite = 11;
+  output.statistics.truncation_bound = {0.25, 0.5};
   const protocol::Composite composite = composite_from(output);
   EXPECT_EQ(composite.rays().primary(), 1u);
   EXPECT_EQ(composite.rays().reflection(), 2u);
@@ -203,6 +204,8 @@ TEST(Wire, ACompositeTellsRaysAndPixels) {
   EXPECT_EQ(composite.pixels().specular(), 8u);
   EXPECT_EQ(composite.pixels().total(), 10u);
   EXPECT_EQ(composite.nonfinite(), 11u);
+  EXPECT_EQ(composite.truncation_bound().mean(), 0.25);
+  EXPECT_EQ(composite.truncation_bound().worst(), 0.5);
 }
 
 }  // namespace
