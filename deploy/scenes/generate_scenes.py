@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the scenes that come with Amalgam, their texture and their environment map.
+"""Writes the scenes that come with Amalgam, their textures and their environment maps.
 
     generate_scenes.py [--output DIR]      default: the folder of this script
 
@@ -16,6 +16,7 @@ from generator.images import write_half_exr, write_palette_png, write_rgb_png
 from generator.marble import marble
 from generator.room import room
 from generator.shapes import box, cone, sphere, torus
+from generator.stiff import write_stiff_scenes
 
 MARBLE = "marble.png"
 
@@ -101,6 +102,7 @@ def main():
     write_palette_png(output / MARBLE, *marble(128))
     write_rgb_png(output / HAMMERED, hammered(96))
     write_half_exr(output / "environment.exr", room(256, 128))
+    write_stiff_scenes(output / "stiff")
 
 
 if __name__ == "__main__":

@@ -17,26 +17,11 @@ std::uint8_t to_byte(double value) {
   return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
 }
 
-common::ImageRgb8 make_camera_image(int width, int height) {
-  common::ImageRgb8 image(width, height);
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      const double u = (x + 0.5) / width, v = (y + 0.5) / height;
-      const double stripe = 25.0 * std::sin(2.0 * reference::kPi * (6.0 * u + 2.0 * v));
-      image.at(x, y) = {to_byte(70.0 + 110.0 * u + stripe), to_byte(90.0 + 90.0 * v - stripe),
-                        to_byte(170.0 - 80.0 * u * v + stripe)};
-    }
-  }
-  return image;
-}
-
 // world_from_marker in glTF's axes.
 common::MarkerPose make_pose(int marker, const glm::dmat4& world_from_marker) {
   const glm::dmat4 camera_from_world =
       test_support::look_at({0.03, 0.27, 0.24}, {-0.005, 0.015, -0.08});
-  const glm::dmat4 camera_from_marker = camera_from_world * world_from_marker *
-                                        common::rigid_inverse(common::opencv_marker_from_gltf());
-  return {marker, glm::quat_cast(camera_from_marker), glm::dvec3(camera_from_marker[3])};
+  return test_support::make_pose(marker, camera_from_world * world_from_marker);
 }
 
 // The n-th other marker lies beside the world marker, to the right and to the left by turns, turned
@@ -49,6 +34,19 @@ glm::dmat4 make_place(int n) {
 }
 
 }  // namespace
+
+common::ImageRgb8 make_camera_image(int width, int height) {
+  common::ImageRgb8 image(width, height);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const double u = (x + 0.5) / width, v = (y + 0.5) / height;
+      const double stripe = 25.0 * std::sin(2.0 * reference::kPi * (6.0 * u + 2.0 * v));
+      image.at(x, y) = {to_byte(70.0 + 110.0 * u + stripe), to_byte(90.0 + 90.0 * v - stripe),
+                        to_byte(170.0 - 80.0 * u * v + stripe)};
+    }
+  }
+  return image;
+}
 
 std::string scene_path(const std::string& scene_name) {
   std::string path = AMALGAM_SOURCE_DIR "/deploy/scenes/";

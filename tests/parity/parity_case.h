@@ -35,6 +35,9 @@ std::string scene_path(const std::string& scene_name);
 // is seen from above at a slant, as by somebody at a desk, the scene's other markers beside it.
 ParityCase make_parity_case(const std::string& scene_name, int width, int height);
 
+// Gradients and soft stripes.
+common::ImageRgb8 make_camera_image(int width, int height);
+
 // The made-up image, of the camera's size, and the poses.
 void place_camera(ParityCase& parity_case);
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
 #include <numbers>
 #include <utility>
 
@@ -156,6 +157,12 @@ glm::dmat4 look_at(const glm::dvec3& eye, const glm::dvec3& target, const glm::d
     camera_from_world[3][row] = -glm::dot(axis, eye);
   }
   return camera_from_world;
+}
+
+common::MarkerPose make_pose(int marker, const glm::dmat4& camera_from_anchor) {
+  const glm::dmat4 camera_from_marker =
+      camera_from_anchor * common::rigid_inverse(common::opencv_marker_from_gltf());
+  return {marker, glm::quat_cast(camera_from_marker), glm::dvec3(camera_from_marker[3])};
 }
 
 passes::RenderView make_view(const scene::Scene& scene, const common::CameraModel& camera,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "common/camera_model.h"
+#include "common/pose.h"
 #include "passes/frame_resources.h"
 #include "scene/light/light.h"
 #include "scene/scene.h"
@@ -45,6 +46,9 @@ common::CameraModel make_pinhole(int width, int height, double focal_length);
 // camera_from_world of a camera at eye that looks at target (x right, y down, z forward).
 glm::dmat4 look_at(const glm::dvec3& eye, const glm::dvec3& target,
                    const glm::dvec3& up = glm::dvec3(0.0, 1.0, 0.0));
+
+// The pose of a marker whose glTF frame (the world's axes, see above) is placed so.
+common::MarkerPose make_pose(int marker, const glm::dmat4& camera_from_anchor);
 
 // All instances of the scene anchored as they are, seen by an undistorted camera.
 passes::RenderView make_view(const scene::Scene& scene, const common::CameraModel& camera,

@@ -41,6 +41,18 @@ def glass_material(scene, thickness):
     })
 
 
+def dielectric_material(scene, name, ior, color=None, distance=0.1, thickness=0.05):
+    """Solid glass, a liquid or air. color: what is left of white light after this distance."""
+    volume = {"thicknessFactor": thickness}
+    if color is not None:
+        volume.update(attenuationDistance=distance, attenuationColor=list(color))
+    return scene.material(name, (1.0, 1.0, 1.0), roughness=0.0, extensions={
+        "KHR_materials_transmission": {"transmissionFactor": 1.0},
+        "KHR_materials_ior": {"ior": ior},
+        "KHR_materials_volume": volume,
+    })
+
+
 def turn(degrees, lean=0.0):
     """Quaternion x y z w: turned about +Y, leaning back (its top away from its front, +Z)."""
     half_turn, half_lean = math.radians(degrees) / 2, -math.radians(lean) / 2

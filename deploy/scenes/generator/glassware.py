@@ -2,24 +2,13 @@
 
 import math
 
-from .common import LIFT, new_scene, turn
+from .common import LIFT, dielectric_material, new_scene, turn
 from .shapes import cone, lathe, plate, sphere
 
 HAMMERED = "hammered.png"
 
 HEIGHT, BOTTOM_RADIUS, TOP_RADIUS = 0.088, 0.026, 0.033  # of the tumbler, metres
 WALL, BASE, LEVEL = 0.0024, 0.009, 0.056  # of its side, its bottom; where the tea ends
-
-
-def _dielectric(scene, name, ior, color=None, distance=0.1):
-    volume = {"thicknessFactor": 0.05}
-    if color is not None:
-        volume.update(attenuationDistance=distance, attenuationColor=list(color))
-    return scene.material(name, (1.0, 1.0, 1.0), roughness=0.0, extensions={
-        "KHR_materials_transmission": {"transmissionFactor": 1.0},
-        "KHR_materials_ior": {"ior": ior},
-        "KHR_materials_volume": volume,
-    })
 
 
 def _outer_radius(y):
@@ -55,18 +44,18 @@ def straw():
 def glassware_scene():
     scene = new_scene()
     place = [0.058, LIFT, -0.085]
-    scene.add("tumbler", tumbler(), _dielectric(scene, "glass", 1.5), translation=place)
-    scene.add("tea", tea(), _dielectric(scene, "tea", 1.33, (0.85, 0.40, 0.10), 0.03),
+    scene.add("tumbler", tumbler(), dielectric_material(scene, "glass", 1.5), translation=place)
+    scene.add("tea", tea(), dielectric_material(scene, "tea", 1.33, (0.85, 0.40, 0.10), 0.03),
               translation=place)
     scene.add("straw", straw(), scene.material("straw", (0.72, 0.07, 0.10), roughness=0.4),
               translation=[place[0] - 0.015, LIFT + BASE + 0.002, place[2] + 0.004],
               rotation=[0.0, 0.0, math.sin(-0.14), math.cos(-0.14)])
 
     ball, middle = sphere(48, 32), [-0.028, 0.028 + LIFT, -0.050]
-    scene.add("glass ball", ball, _dielectric(scene, "green glass", 1.5, (0.75, 0.95, 0.85)),
+    scene.add("glass ball", ball, dielectric_material(scene, "green glass", 1.5, (0.75, 0.95, 0.85)),
               translation=middle, scale=[0.028] * 3)
     # An air bubble is a dielectric of index 1.
-    scene.add("bubble", ball, _dielectric(scene, "air", 1.0),
+    scene.add("bubble", ball, dielectric_material(scene, "air", 1.0),
               translation=[middle[0] + 0.004, middle[1] + 0.005, middle[2]], scale=[0.012] * 3)
 
     copper = scene.material("copper", (0.95, 0.64, 0.54), metallic=1.0, roughness=0.0,

@@ -81,9 +81,10 @@ class GltfWriter:
         self.nodes.append({"name": name, "mesh": len(self.meshes) - 1, **transform,
                            "extras": {"amalgam": extras}})
 
-    def write(self, path):
+    def write(self, path, binary_stem=None):
+        """binary_stem: of a .bin file that scenes with the same shapes share; default: path's."""
         path = Path(path)
-        binary = path.with_suffix(".bin")
+        binary = path.with_name(f"{binary_stem or path.stem}.bin")
         document = {
             "asset": {"version": "2.0", "generator": "Amalgam deploy/scenes"},
             "scene": 0,

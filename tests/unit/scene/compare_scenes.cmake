@@ -2,9 +2,9 @@
 file(REMOVE_RECURSE ${OUTPUT})
 execute_process(COMMAND ${PYTHON} -B ${SCENES}/generate_scenes.py --output ${OUTPUT}
   COMMAND_ERROR_IS_FATAL ANY)
-file(GLOB made RELATIVE ${OUTPUT} ${OUTPUT}/*)
+file(GLOB_RECURSE made RELATIVE ${OUTPUT} ${OUTPUT}/*)
 list(LENGTH made count)
-if(count LESS 8)
+if(count LESS 80)
   message(FATAL_ERROR "only ${count} files were made")
 endif()
 foreach(name ${made})
