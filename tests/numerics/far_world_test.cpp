@@ -40,12 +40,13 @@ test_support::ImageComparison compare_moved(frame::RendererMode mode, double met
 }
 
 TEST(FarWorld, LooksTheSameUpToFourThousandKilometres) {
-  for (const auto& [mode, metres] : {std::pair{frame::RendererMode::Hybrid, 1e6}, std::pair{frame::RendererMode::Raytrace, 1e3}, std::pair{frame::RendererMode::Raytrace, 1e6}, std::pair{frame::RendererMode::Raytrace, 4e6}}) {
-    {
-      const auto comparison = compare_moved(mode, metres);
-      EXPECT_LE(comparison.maximum, 1.0) << mode_name(mode) << " " << metres << "\n"
-                                         << comparison.describe();
-    }
+  using frame::RendererMode;
+  for (const auto& [mode, metres] :
+       {std::pair{RendererMode::Hybrid, 1e6}, std::pair{RendererMode::Raytrace, 1e3},
+        std::pair{RendererMode::Raytrace, 1e6}, std::pair{RendererMode::Raytrace, 4e6}}) {
+    const auto comparison = compare_moved(mode, metres);
+    EXPECT_LE(comparison.maximum, 1.0) << mode_name(mode) << " " << metres << "\n"
+                                       << comparison.describe();
   }
 }
 

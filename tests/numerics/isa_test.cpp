@@ -1,11 +1,12 @@
 // numerics B11 and B25: how far pictures differ between Embree's instruction sets.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
+#include <random>
 
+#include "numerics/icosphere.h"
 #include "numerics/isa.h"
-#include "parity/everything_case.h"
-#include "parity/rendering.h"
 #include "support/compare_images.h"
 #include "unit/trace/trace_shot.h"
 
@@ -28,6 +29,56 @@ TEST(Isa, OnlyKnownSetsAreTaken) {
   for (const std::string& isa : usable_isas()) {
     const ChosenIsa chosen(isa);
     EXPECT_NO_THROW(EmbreeScene{scene}) << isa;
+  }
+}
+
+// Single hits, before the tracer computes them again in double: the triangle, and its coordinates.
+TEST(Isa, HitsDifferInTheirLastDigitsAlone) {
+  scene::Scene scene;
+  test_support::add_object(scene, test_support::make_icosphere(4), test_support::make_mirror(),
+                           scene::Role::Virtual);
+  std::map<std::string, std::vector<std::optional<Hit>>> hits;
+  constexpr int kRays = 100'000;
+  for (const std::string& isa : usable_isas()) {
+    const ChosenIsa chosen(isa);
+    EmbreeScene embree(scene);
+    embree.place(anchor_all(scene));
+    std::mt19937 random(13);
+    std::normal_distribution<float> normal;
+    for (int i = 0; i < kRays; ++i) {
+      const glm::vec3 to(normal(random), normal(random), normal(random));
+      const Ray ray{{0.1f, -0.2f, 0.3f}, glm::normalize(to), 10.0f};
+      hits[isa].push_back(embree.intersect(ray, Visible::Everything));
+    }
+  }
+  const auto& [first_isa, first] = *hits.begin();
+  for (const auto& [isa, found] : hits) {
+    int other_triangle = 0, other_digits = 0;
+    double largest = 0.0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      ASSERT_TRUE(found[i] && first[i]) << isa;
+      const Hit &a = *found[i], &b = *first[i];
+      if (a.triangle != b.triangle) {
+        ++other_triangle;
+        continue;
+      }
+      other_digits += a.t != b.t || a.barycentric != b.barycentric ? 1 : 0;
+      largest =
+          std::max({largest, std::abs(a.t - b.t), glm::distance(a.barycentric, b.barycentric)});
+    }
+    std::printf(
+        "%s against %s: %d of %d hits are of another triangle, %d have other digits (%.2g)\n",
+        isa.c_str(), first_isa.c_str(), other_triangle, kRays, other_digits, largest);
+    EXPECT_LE(other_triangle, kRays / 100'000) << isa;
+    EXPECT_LT(largest, 1e-4) << isa;
+  }
+  // Otherwise the choice has no effect, and nothing here is compared.
+  if (hits.contains("sse4.2") && hits.contains("avx2")) {
+    int different = 0;
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      different += hits["sse4.2"][i]->barycentric != hits["avx2"][i]->barycentric ? 1 : 0;
+    }
+    EXPECT_GT(different, 0);
   }
 }
 

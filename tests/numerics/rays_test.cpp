@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <optional>
 #include <random>
 
 #include "numerics/icosphere.h"
@@ -30,27 +31,59 @@ class RandomDirection {
   std::normal_distribution<float> normal_;
 };
 
+// Where rays from inside a closed sphere are sent.
+enum class Aim { Anywhere, Edges, Corners };
+
+class ClosedSphere {
+ public:
+  ClosedSphere() {
+    add_object(scene_, test_support::make_icosphere(4), test_support::make_mirror(),
+               scene::Role::Virtual);
+    embree_.emplace(scene_);
+    embree_->place(anchor_all(scene_));
+  }
+
+  int misses(int rays, Aim aim) const {
+    RandomDirection direction(11);
+    int misses = 0;
+    for (int i = 0; i < rays; ++i) {
+      const glm::vec3 start = 0.9f * direction();
+      const glm::vec3 to =
+          aim == Aim::Anywhere ? direction() : glm::normalize(target(i, aim) - start);
+      misses += embree_->intersect({start, to, kInfinity}, Visible::Everything) ? 0 : 1;
+    }
+    return misses;
+  }
+
+ private:
+  glm::vec3 target(int i, Aim aim) const {
+    const scene::Mesh& mesh = scene_.meshes[0];
+    const glm::uvec3& t = mesh.triangles[static_cast<std::size_t>(i) % mesh.triangles.size()];
+    const glm::vec3 &a = mesh.positions[t.x], &b = mesh.positions[t.y];
+    const float along = 0.1f + 0.8f * static_cast<float>(i % 97) / 97.0f;
+    return aim == Aim::Corners ? a : a + along * (b - a);
+  }
+
+  scene::Scene scene_;
+  std::optional<EmbreeScene> embree_;
+};
+
 TEST(Rays, NoneLeavesAClosedSphereWithAnyInstructionSet) {
   const int rays = std::getenv("AMALGAM_LONG_TESTS") != nullptr ? 10'000'000 : 100'000;
   for (const std::string& isa : usable_isas()) {
     const test_support::ChosenIsa chosen(isa);
-    scene::Scene scene;
-    add_object(scene, test_support::make_icosphere(4), test_support::make_mirror(),
-               scene::Role::Virtual);
-    EmbreeScene embree(scene);
-    embree.place(anchor_all(scene));
-    RandomDirection direction(11);
-    int misses = 0;
-    for (int i = 0; i < rays; ++i) {
-      // From all over the inside, and at corners of the mesh, where many edges meet.
-      const glm::vec3 start = 0.9f * direction();
-      const glm::vec3& corner =
-          scene.meshes[0].positions[static_cast<std::size_t>(i) % scene.meshes[0].positions.size()];
-      const glm::vec3 to = i % 4 == 0 ? glm::normalize(corner - start) : direction();
-      misses += embree.intersect({start, to, kInfinity}, Visible::Everything) ? 0 : 1;
-    }
-    std::printf("%s: %d of %d rays missed\n", isa.c_str(), misses, rays);
-    EXPECT_LE(misses, rays / 10'000'000) << isa;
+    const ClosedSphere sphere;
+    const int anywhere = sphere.misses(rays, Aim::Anywhere);
+    const int edges = sphere.misses(rays, Aim::Edges);
+    const int corners = sphere.misses(rays, Aim::Corners);
+    std::printf("%s, misses in %d rays: %d anywhere, %d at edges, %d at corners\n", isa.c_str(),
+                rays, anywhere, edges, corners);
+    EXPECT_LE(anywhere, rays / 10'000'000) << isa;
+    EXPECT_LE(edges, rays / 10'000'000) << isa;
+    // Beyond: a ray at a corner to a float's last digit can have every triangle there on its same
+    // side, because each edge is rounded apart.
+    EXPECT_LT(corners, rays / 100) << isa;
+    EXPECT_GT(corners, 0) << isa << ": the limit in tests/README.md has become better";
   }
 }
 
@@ -73,11 +106,9 @@ int hits_from(float far) {
   return hits;
 }
 
-TEST(Rays, MeetABoxFromAMillionTimesItsSize) {
-  for (const float far : {1e1f, 1e3f, 1e5f, 1e6f}) EXPECT_EQ(hits_from(far), 1000) << far;
-  // Beyond: a float's last digit in the direction is as wide as the box.
-  for (const float far : {1e7f, 1e8f, 1e9f, 1e11f, 1e12f, 1e20f})
-    std::printf("%g: %d\n", double{far}, hits_from(far));
+TEST(Rays, MeetABoxFromFiveMillionTimesItsSize) {
+  for (const float far : {1e1f, 1e3f, 1e5f, 1e6f, 1e7f}) EXPECT_EQ(hits_from(far), 1000) << far;
+  // Beyond: a float's last digit in the direction is wider than the box.
   EXPECT_LT(hits_from(1e8f), 500);
   EXPECT_EQ(hits_from(1e12f), 0) << "not a ray any more";
 }
