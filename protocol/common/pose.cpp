@@ -8,7 +8,7 @@ bool is_usable(const MarkerPose& pose) {
   const glm::dquat& q = pose.rotation;
   const double length = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
   constexpr double kMaxLengthError = 1e-3;
-  constexpr double kMaxDistance = 1000.0;
+  constexpr double kMaxDistance = 1e7;
   // Written so that a NaN anywhere makes a comparison false.
   return std::abs(length - 1.0) <= kMaxLengthError &&
          std::abs(pose.translation.x) <= kMaxDistance &&

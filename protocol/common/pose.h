@@ -17,7 +17,7 @@ struct MarkerPose {
 };
 
 // A pose is usable if it is finite, its quaternion has a length within 1e-3 of 1 (numerics B22) and
-// no coordinate of its translation exceeds 1000 m.
+// no coordinate of its translation exceeds 1e7 m.
 bool is_usable(const MarkerPose& pose);
 
 // The rigid transform camera_from_marker of a usable pose (quaternion normalised here).

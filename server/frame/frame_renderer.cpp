@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "common/check_context.h"
+#include "core/flush_denormals.h"
 #include "frame/buffer_dump.h"
 #include "frame/costs.h"
 #include "frame/frame_passes.h"
@@ -121,6 +122,7 @@ class FrameRenderer::Impl {
     AMALGAM_CHECK(std::this_thread::get_id() == owner_,
                   "rendering on a thread that is not the owner");
     FrameOutput output;
+    const core::FlushDenormals flush_denormals;  // the arena's workers as well
     arena_.execute([&] { output = render_in_arena(view, input, buffers); });
     return output;
   }

@@ -1,5 +1,8 @@
 #include "scene/anchored_scene.h"
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 #include <map>
 #include <optional>
 
@@ -29,6 +32,17 @@ std::optional<int> choose_world(const Scene& scene, const MarkerPoses& poses) {
   return std::nullopt;
 }
 
+// In whole metres, so that sums with it stay exact.
+glm::dvec3 choose_origin(const Scene& scene, int world) {
+  constexpr double kNear = 100.0;
+  for (const Instance& instance : scene.instances) {
+    if (instance.marker.value_or(scene.world.marker) != world) continue;
+    const glm::dvec3 first(instance.anchor_from_mesh[3]);
+    return glm::length(first) > kNear ? glm::round(first) : glm::dvec3(0.0);
+  }
+  return glm::dvec3(0.0);
+}
+
 }  // namespace
 
 AnchoredScene anchor_scene(const Scene& scene, std::span<const common::MarkerPose> poses) {
@@ -38,13 +52,15 @@ AnchoredScene anchor_scene(const Scene& scene, std::span<const common::MarkerPos
   if (!world) return anchored;
 
   anchored.world_marker = *world;
-  anchored.camera_from_world = seen.at(*world);
+  anchored.world_origin = choose_origin(scene, *world);
+  const auto moved = [](const glm::dvec3& by) { return glm::translate(glm::dmat4(1.0), by); };
+  anchored.camera_from_world = seen.at(*world) * moved(anchored.world_origin);
   const glm::dmat4 world_from_camera = common::rigid_inverse(anchored.camera_from_world);
 
-  // Exactly the identity for what stands on the world marker, so that it is seen not to move.
+  // Nothing but the origin for what stands on the world marker, so that it is seen not to move.
   const auto world_from_anchor = [&](const std::optional<int>& bound) -> std::optional<glm::dmat4> {
     const int marker = bound.value_or(scene.world.marker);
-    if (marker == *world) return glm::dmat4(1.0);
+    if (marker == *world) return moved(-anchored.world_origin);
     const auto found = seen.find(marker);
     if (found == seen.end()) return std::nullopt;
     return world_from_camera * found->second;
@@ -53,13 +69,13 @@ AnchoredScene anchor_scene(const Scene& scene, std::span<const common::MarkerPos
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
     const Instance& instance = scene.instances[i];
     if (const auto anchor = world_from_anchor(instance.marker)) {
-      anchored.instances.push_back({i, glm::mat4(*anchor * glm::dmat4(instance.anchor_from_mesh))});
+      anchored.instances.push_back({i, glm::mat4(*anchor * instance.anchor_from_mesh)});
     }
   }
   for (const PunctualLight& punctual : scene.punctual_lights) {
     const auto anchor = world_from_anchor(punctual.marker);
     if (!anchor) continue;
-    const glm::dmat4 world_from_light = *anchor * glm::dmat4(punctual.anchor_from_light);
+    const glm::dmat4 world_from_light = *anchor * punctual.anchor_from_light;
     Light light;
     light.kind = static_cast<Light::Kind>(punctual.kind);
     light.to_light = glm::vec3(glm::normalize(glm::dvec3(world_from_light[2])));

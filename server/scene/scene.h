@@ -63,7 +63,7 @@ struct Instance {
   std::string node;                  // for messages
   std::uint32_t mesh = 0;            // index into Scene::meshes
   std::uint32_t material = 0;        // index into Scene::materials
-  glm::mat4 anchor_from_mesh{1.0f};  // affine, may scale and mirror; condition <= 1e6
+  glm::dmat4 anchor_from_mesh{1.0};  // affine, may scale and mirror; condition <= 1e6
   std::optional<int> marker{};       // the marker it is bound to; none: the world marker
   Role role = Role::Virtual;
 };
@@ -76,7 +76,7 @@ struct PunctualLight {
   glm::vec3 intensity{0.0f};                       // color times intensity, linear
   float range = 0.0f;                              // metres; 0 = unlimited
   float cos_inner = 1.0f, cos_outer = 0.7071068f;  // spot cone
-  glm::mat4 anchor_from_light{1.0f};               // the light shines along its -Z
+  glm::dmat4 anchor_from_light{1.0};               // the light shines along its -Z
   std::optional<int> marker{};
 };
 

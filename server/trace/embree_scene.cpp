@@ -11,6 +11,7 @@
 #include <string>
 
 #include "common/log.h"
+#include "trace/embree_isa.h"
 
 namespace amalgam::trace {
 namespace {
@@ -155,10 +156,11 @@ EmbreeScene::EmbreeScene(const scene::Scene& scene)
       placed_(scene.instances.size()),
       last_placed_(scene.instances.size()),
       impl_(std::make_unique<Impl>()) {
-  // Any number but 0 would limit the threads of the whole process for as long as the device lives
-  // (Embree 3.13 installs a tbb::global_control).
-  impl_->device.reset(rtcNewDevice("threads=0,set_affinity=0"));
-  if (!impl_->device) throw std::runtime_error("Embree cannot create a device on this processor");
+  const std::string config = embree_device_config();
+  impl_->device.reset(rtcNewDevice(config.c_str()));
+  if (!impl_->device) {
+    throw std::runtime_error("Embree cannot create a device on this processor (" + config + ")");
+  }
   rtcSetDeviceErrorFunction(impl_->device.get(), report_error, nullptr);
   for (const scene::Mesh& mesh : scene.meshes) {
     impl_->meshes.push_back(build_mesh(impl_->device.get(), mesh));

@@ -78,7 +78,8 @@ class PassedSurfaces {
 
 class EmbreeScene {
  public:
-  // Builds the static BVHs. Throws std::runtime_error if Embree cannot start.
+  // Builds the static BVHs. Throws std::runtime_error if Embree cannot start, or not with the
+  // instruction set asked for (trace/embree_isa.h).
   explicit EmbreeScene(const scene::Scene& scene);
   ~EmbreeScene();
   EmbreeScene(const EmbreeScene&) = delete;

@@ -6,11 +6,13 @@
 #include <type_traits>
 #include <utility>
 
+#include "trace/embree_isa.h"
+
 namespace amalgam::trace {
 
 std::string embree_version() {
   const std::unique_ptr<std::remove_pointer_t<RTCDevice>, decltype(&rtcReleaseDevice)> device(
-      rtcNewDevice("threads=0,set_affinity=0"), &rtcReleaseDevice);
+      rtcNewDevice(embree_device_config().c_str()), &rtcReleaseDevice);
   if (!device) return "Embree, which cannot run on this processor";
   const auto property = [&](RTCDeviceProperty name) {
     return static_cast<int>(rtcGetDeviceProperty(device.get(), name));

@@ -33,7 +33,8 @@ void Tile::scatter_solid(const RayItem& item, const MetSurface& met, const glm::
         met.weight * k_s * mirror_share(point), RayKind::Reflection, item.media);
   if (refracted) {
     const glm::vec3 tint = point.transmission * glm::vec3(point.base_color);
-    spawn(item, met, *refracted, met.weight * tint * (1.0f - k_s), RayKind::Refraction, beyond);
+    spawn(item, met, valid_refraction(point.geometric_normal, *refracted),
+          met.weight * tint * (1.0f - k_s), RayKind::Refraction, beyond);
   }
   scatter_back(item, met, k_s);
 }

@@ -61,6 +61,13 @@ glm::dvec3 valid_shading_normal(const glm::dvec3& geometric_normal,
   return length > 1e-6 ? half / length : geometric_normal;
 }
 
+glm::dvec3 valid_refraction(const glm::dvec3& geometric_normal, const glm::dvec3& refracted) {
+  constexpr double kLeast = 1e-5;
+  const double height = glm::dot(geometric_normal, refracted);
+  if (height <= -kLeast) return refracted;
+  return glm::normalize(refracted - (height + kLeast) * geometric_normal);
+}
+
 scene::PhongTerms phong_terms_at(const SurfacePoint& point, scene::MaterialKind kind) {
   const glm::vec3 color(point.base_color);
   if (kind == scene::MaterialKind::Dielectric && !is_rough(point)) return {.albedo = color};

@@ -63,4 +63,10 @@ scene::PhongTerms phong_terms_at(const SurfacePoint& point, scene::MaterialKind 
 glm::dvec3 valid_shading_normal(const glm::dvec3& geometric_normal,
                                 const glm::dvec3& shading_normal, const glm::dvec3& view);
 
+// Bends a refracted ray so that it leaves the geometric surface on the other side, by at least a
+// very small angle (numerics B10). Needed where a ray leaves glass near the critical angle and the
+// shading normal leans: the refracted ray would go on inside the mesh as if it were in air.
+// geometric_normal: on the side that the ray came from.
+glm::dvec3 valid_refraction(const glm::dvec3& geometric_normal, const glm::dvec3& refracted);
+
 }  // namespace amalgam::trace

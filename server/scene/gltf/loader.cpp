@@ -104,7 +104,7 @@ class SceneBuilder {
     if (const auto light = node_light(nodes_[index], lights_.size())) {
       PunctualLight placed = lights_[*light];
       placed.node = name;
-      placed.anchor_from_light = glm::mat4(visit.anchor_from_parent);
+      placed.anchor_from_light = visit.anchor_from_parent;
       placed.marker = visit.marker;
       scene_.punctual_lights.push_back(std::move(placed));
     }
@@ -119,7 +119,7 @@ class SceneBuilder {
       instance.node = name;
       instance.mesh = mesh;
       instance.material = material;
-      instance.anchor_from_mesh = glm::mat4(visit.anchor_from_parent);
+      instance.anchor_from_mesh = visit.anchor_from_parent;
       instance.marker = visit.marker;
       instance.role = visit.role;
       scene_.instances.push_back(std::move(instance));

@@ -73,18 +73,21 @@ double condition_number(const glm::dmat4& affine) {
 }
 
 void check_transform_usable(const glm::dmat4& affine, const std::string& path) {
-  constexpr double kMaxCondition = 1e6 * (1.0 + 1e-3);   // the computed one is good to 1e-4 there
-  constexpr double kMaxEntry = 1e15, kMinScale = 1e-15;  // squares of both are finite floats
-  double largest = 0.0;
+  constexpr double kMaxCondition = 1e6 * (1.0 + 1e-3);  // the computed one is good to 1e-4 there
+  constexpr double kMaxEntry = 1e11;  // metres; the tracer's rays start within 1e12
+  constexpr double kMinDeterminant = 1e-36, kMaxDeterminant = 1e36;  // Embree's is a normal float
   for (int i = 0; i < 4; ++i) {
     for (int j = 0; j < 3; ++j) {
       if (!(std::abs(affine[i][j]) <= kMaxEntry))
         throw SceneError(path + ": its transform is not finite or too large");
-      if (i < 3) largest = std::fmax(largest, std::abs(affine[i][j]));
     }
   }
-  if (!(condition_number(affine) <= kMaxCondition) || largest < kMinScale) {
+  if (!(condition_number(affine) <= kMaxCondition)) {
     throw SceneError(path + ": its transform (with its parents') is singular or nearly so");
+  }
+  const double determinant = std::abs(glm::determinant(glm::dmat3(affine)));
+  if (!(determinant >= kMinDeterminant && determinant <= kMaxDeterminant)) {
+    throw SceneError(path + ": its transform (with its parents') scales by too little or too much");
   }
 }
 

@@ -16,6 +16,8 @@ void benchmark_sample_environment(benchmark::State& state);
 void benchmark_composite(benchmark::State& state);
 void benchmark_decode(benchmark::State& state);
 void benchmark_encode(benchmark::State& state);
+void benchmark_bright_frame(benchmark::State& state);
+void benchmark_denormal_frame(benchmark::State& state);
 void benchmark_intersect(benchmark::State& state, const std::filesystem::path& scene_folder);
 void benchmark_is_occluded(benchmark::State& state, const std::filesystem::path& scene_folder);
 

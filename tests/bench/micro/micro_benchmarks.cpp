@@ -20,6 +20,8 @@ constexpr Entry kEntries[] = {
     {"composite", benchmark_composite},
     {"decode", benchmark_decode},
     {"encode", benchmark_encode},
+    {"bright_frame", benchmark_bright_frame},
+    {"denormal_frame", benchmark_denormal_frame},
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
-// The shading normal of a specular surface, bent so that reflections stay above the triangle
-// (numerics B10; the method is Cycles' ensure_valid_specular_reflection).
+// The shading normal of a specular surface, bent so that reflections stay above the triangle, and
+// refracted rays bent so that they stay below it (numerics B10; the method for reflections is
+// Cycles' ensure_valid_specular_reflection).
 #pragma once
 
 #include "support/reference/vectors.h"
@@ -15,6 +16,14 @@ inline Vec3 bend_normal(const Vec3& shading, const Vec3& geometric, const Vec3& 
   if (cosine > 0.0 && height >= threshold) return shading;
   const Vec3 lifted = glm::normalize(mirrored + (threshold - height) * geometric);
   return glm::normalize(to_viewer + lifted);
+}
+
+// A refracted ray, at least a hundred-thousandth of its length below the triangle. geometric faces
+// the viewer.
+inline Vec3 sink_refracted(const Vec3& refracted, const Vec3& geometric) {
+  const double depth = -glm::dot(geometric, refracted);
+  const double missing = std::max(0.0, 1e-5 - depth);
+  return missing == 0.0 ? refracted : glm::normalize(refracted - missing * geometric);
 }
 
 }  // namespace amalgam::reference

@@ -1,5 +1,6 @@
 // What rays do that meet glass (section 4.2): one part is mirrored, one goes through, and what a
 // transmission factor or texture leaves of the rest comes back from the surface.
+#include "support/reference/bent_normal.h"
 #include "support/reference/whitted.h"
 
 namespace amalgam::reference {
@@ -70,7 +71,8 @@ void Whitted::meet_glass(const Branch& branch, const Surface& surface, Collector
   const Vec3 mirrored = reflect(branch.ray.direction, normal);
   spawn(child_of(branch, surface, mirrored, Color(shares.mirrored)), to);
   if (refracted_direction) {
-    Branch refracted = child_of(branch, surface, *refracted_direction, shares.passing);
+    const Vec3 below = sink_refracted(*refracted_direction, surface.geometric_normal);
+    Branch refracted = child_of(branch, surface, below, shares.passing);
     refracted.media = beyond;
     spawn(refracted, to);
   }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <limits>
@@ -119,17 +120,34 @@ FlipRates measure_flips(int draws, double min_distance, double max_distance) {
   return {first_flips / count, memory_flips / count};
 }
 
+// AMALGAM_LONG_TESTS=1 makes ten thousand draws over all distances, and not five hundred.
 TEST(PoseDisambiguation, FlipsSeldomerThanTheBetterSolutionAlone) {
-  const FlipRates near = measure_flips(500, 0.3, 1.0), all = measure_flips(500, 0.3, 5.0);
-  std::printf("flip rate at 0.3 to 1 m: %.4f without the rule, %.4f with it\n", near.without,
-              near.with);
-  std::printf("flip rate at 0.3 to 5 m: %.4f without the rule, %.4f with it\n", all.without,
-              all.with);
+  const int draws = std::getenv("AMALGAM_LONG_TESTS") != nullptr ? 10'000 : 500;
+  const auto measure = [&](double nearest, double farthest) {
+    const FlipRates rates = measure_flips(draws, nearest, farthest);
+    std::printf("flip rate at %g to %g m: %.4f without the rule, %.4f with it\n", nearest, farthest,
+                rates.without, rates.with);
+    return rates;
+  };
+  const FlipRates near = measure(0.3, 1.0), all = measure(0.3, 5.0);
   // At 5 m the marker is 7 pixels wide and half of the choices by error alone are guesses; the
   // memory is wrong where such noise happens to speak against it three times on end.
   EXPECT_LT(near.with, 0.01);
   EXPECT_LT(near.with, 0.2 * near.without);
   EXPECT_LT(all.with, 0.2 * all.without);
+}
+
+// Ever further away, in steps. Near markers do not flip at all by either choice.
+TEST(PoseDisambiguation, HoldsUntilTheMarkerIsAFewPixelsWide) {
+  for (const auto& [distance, most] :
+       {std::pair{0.3, 1e-9}, std::pair{0.5, 1e-3}, std::pair{1.0, 0.01}, std::pair{2.0, 0.05},
+        std::pair{5.0, 0.2}, std::pair{10.0, 0.3}, std::pair{20.0, 0.4}}) {
+    const FlipRates rates = measure_flips(100, distance, distance);
+    std::printf("at %g m: %.4f without the rule, %.4f with it\n", distance, rates.without,
+                rates.with);
+    EXPECT_LE(rates.with, most) << distance;
+    EXPECT_LE(rates.with, rates.without) << distance;
+  }
 }
 
 PoseSolution solution(double degrees, double error) {

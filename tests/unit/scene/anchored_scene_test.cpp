@@ -51,7 +51,8 @@ TEST(AnchoredScene, TheWorldMarkersObjectsDoNotMoveAtAll) {
   for (const double x : {0.1, 0.123456789}) {
     const common::MarkerPose poses[] = {pose_of(40, {x, 0, 1})};
     const AnchoredScene anchored = anchor_scene(scene, poses);
-    EXPECT_EQ(anchored.instances[0].world_from_mesh, scene.instances[0].anchor_from_mesh);
+    EXPECT_EQ(anchored.instances[0].world_from_mesh,
+              glm::mat4(scene.instances[0].anchor_from_mesh));
   }
 }
 
@@ -70,6 +71,29 @@ TEST(AnchoredScene, AnotherMarkerStandsInForTheWorld) {
   const AnchoredScene anchored = anchor_scene(three_markers(), poses);
   EXPECT_EQ(anchored.world_marker, 7);
   EXPECT_EQ(anchored.instances.size(), 2u);
+}
+
+// numerics B13: what stands far from its marker keeps its place to a float's last digit near 0.
+TEST(AnchoredScene, TheOriginIsAtObjectsFarFromTheirMarker) {
+  Scene scene = three_markers();
+  PunctualLight light;
+  light.anchor_from_light[3] = glm::dvec4(1e6 + 0.2, 0, 2, 1);
+  scene.punctual_lights = {light};
+  scene.instances[0].anchor_from_mesh[3] = glm::dvec4(1e6 + 0.1, -0.2, 0.3, 1.0);
+  const common::MarkerPose poses[] = {pose_of(40, {0.2, 0.3, 1.0}), pose_of(7, {0.4, 0, 1})};
+  const AnchoredScene anchored = anchor_scene(scene, poses);
+  EXPECT_EQ(anchored.world_origin, glm::dvec3(1e6, 0, 0));
+  const glm::dvec3 placed(anchored.instances[0].world_from_mesh[3]);
+  EXPECT_LT(glm::distance(placed, glm::dvec3(0.1, -0.2, 0.3)), 1e-7);
+  EXPECT_LT(glm::distance(glm::dvec3(anchored.punctual_lights[0].position), {0.2, 0, 2}), 1e-7);
+  // Everything is where it was as seen by the camera, also what stands on another marker.
+  const glm::dmat4 camera_from_anchor =
+      common::to_matrix(poses[0]) * common::opencv_marker_from_gltf();
+  const glm::dvec3 expected(camera_from_anchor * scene.instances[0].anchor_from_mesh[3]);
+  EXPECT_LT(glm::distance(glm::dvec3(anchored.camera_from_world * glm::dvec4(placed, 1)), expected),
+            1e-6);
+  const glm::dvec4 other(anchored.instances[1].world_from_mesh[3]);
+  EXPECT_LT(glm::distance(glm::dvec3(anchored.camera_from_world * other), {0.4, 0, 1}), 0.1);
 }
 
 TEST(AnchoredScene, UnusablePosesAreIgnored) {

@@ -44,10 +44,10 @@ TEST(GltfExtras, BlendersShadowCatcherIsReal) {
 TEST(GltfExtras, AnchorsAreMarkersFrames) {
   // The parent is bound to the marker: its own place counts within that marker's frame.
   const Scene bound = load_pair(R"({"amalgam": {"marker": 23}})", "{}");
-  EXPECT_EQ(bound.instances[0].anchor_from_mesh[3], glm::vec4(5, 1, 0, 1));
+  EXPECT_EQ(bound.instances[0].anchor_from_mesh[3], glm::dvec4(5, 1, 0, 1));
   // The child is: what stands above it belongs to the world marker's frame.
   const Scene child = load_pair("{}", R"({"amalgam": {"marker": 23}})");
-  EXPECT_EQ(child.instances[0].anchor_from_mesh[3], glm::vec4(0, 1, 0, 1));
+  EXPECT_EQ(child.instances[0].anchor_from_mesh[3], glm::dvec4(0, 1, 0, 1));
 }
 
 TEST(GltfExtras, ForeignExtrasAreNobodysBusiness) {
@@ -101,7 +101,7 @@ TEST(GltfExtras, LightsComeWithTheirNodes) {
   EXPECT_FLOAT_EQ(light.cos_inner, std::cos(0.1f));
   EXPECT_FLOAT_EQ(light.cos_outer, std::cos(0.5f));
   EXPECT_EQ(light.marker, 9);
-  EXPECT_EQ(light.anchor_from_light[3], glm::vec4(0, 3, 0, 1));
+  EXPECT_EQ(light.anchor_from_light[3], glm::dvec4(0, 3, 0, 1));
 }
 
 TEST(GltfExtras, WrongLightsAreRefused) {

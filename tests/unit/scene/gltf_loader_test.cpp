@@ -40,10 +40,19 @@ TEST(GltfLoader, TransformsMultiplyDownTheTree) {
                          R"("nodes": [{"translation": [1, 2, 3], "children": [1]},
                    {"name": "thing", "mesh": 0, "scale": [2, 2, 2], "rotation": [0, 0.70710678, 0, 0.70710678]}])"));
   ASSERT_EQ(scene.instances.size(), 1u);
-  const glm::vec4 corner = scene.instances[0].anchor_from_mesh * glm::vec4(1, 0, 0, 1);
+  const glm::dvec4 corner = scene.instances[0].anchor_from_mesh * glm::dvec4(1, 0, 0, 1);
   EXPECT_NEAR(corner.x, 1.0f, 1e-5f);  // +X turned by 90 degrees about +Y is -Z
   EXPECT_NEAR(corner.y, 2.0f, 1e-5f);
   EXPECT_NEAR(corner.z, 1.0f, 1e-5f);
+}
+
+// numerics B13: as floats, the two nodes' places would add up to a sixteenth of a metre only.
+TEST(GltfLoader, PlacesFarFromTheMarkerKeepTheirDigits) {
+  const Scene scene =
+      load_text(replaced(sample_gltf(), R"("nodes": [{"name": "thing", "mesh": 0}])",
+                         R"("nodes": [{"translation": [1000000, 0, 0], "children": [1]},
+                   {"name": "thing", "mesh": 0, "translation": [0.3, 0, 0]}])"));
+  EXPECT_EQ(scene.instances.at(0).anchor_from_mesh[3].x, 1000000.3);
 }
 
 // Positions and colors side by side in one view; colors as bytes, of which 255 is 1.

@@ -35,7 +35,7 @@ const Instance& find(const Scene& scene, const std::string& node) {
 std::vector<glm::vec3> points(const Scene& scene, const Instance& instance) {
   std::vector<glm::vec3> placed;
   for (const glm::vec3& p : scene.meshes[instance.mesh].positions) {
-    placed.emplace_back(instance.anchor_from_mesh * glm::vec4(p, 1.0f));
+    placed.emplace_back(instance.anchor_from_mesh * glm::dvec4(p, 1.0));
   }
   return placed;
 }

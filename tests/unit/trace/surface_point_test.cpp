@@ -109,6 +109,18 @@ TEST(ValidShadingNormal, KeepsReflectionsAboveTheSurface) {
   }
 }
 
+TEST(ValidRefraction, GoesBelowTheSurfaceAndLeavesGoodRaysAlone) {
+  const glm::dvec3 up(0, 1, 0);
+  const glm::dvec3 good = glm::normalize(glm::dvec3(1, -1e-4, 0));
+  EXPECT_EQ(valid_refraction(up, good), good);
+  for (const double height : {-1e-6, 0.0, 1e-3, 0.4}) {
+    const glm::dvec3 bent = valid_refraction(up, glm::normalize(glm::dvec3(0.6, height, 0.8)));
+    EXPECT_NEAR(bent.y, -1e-5, 1e-6) << height;
+    EXPECT_NEAR(glm::length(bent), 1.0, 1e-12) << height;
+    EXPECT_NEAR(bent.x, 0.6, 1e-9) << height;
+  }
+}
+
 TEST(ValidShadingNormal, LeavesGoodNormalsAlone) {
   const glm::dvec3 shading = glm::normalize(glm::dvec3(0.1, 1.0, 0.0));
   EXPECT_EQ(valid_shading_normal({0, 1, 0}, shading, {0, 1, 0}), shading);

@@ -36,8 +36,10 @@ TraceResult trace_shot(const scene::Scene& scene, const Shot& shot) {
                 .samples_per_side = shot.samples_per_side,
                 .lookup = shot.camera_image != nullptr ? &lookup : nullptr,
                 .camera_image = shot.camera_image,
+                .exposure = shot.exposure,
                 .settings = shot.settings,
-                .keep_images = true});
+                .keep_images = true,
+                .keep_provenance = shot.keep_provenance});
 }
 
 glm::vec3 centre(const TraceResult& result) {

@@ -31,6 +31,8 @@ struct Shot {
   const common::ImageRgb8* camera_image = nullptr;
   int width = 9, height = 9, samples_per_side = 1;
   double focal_length = 200.0;
+  float exposure = 1.0f;
+  bool keep_provenance = false;
 };
 
 TraceResult trace_shot(const scene::Scene& scene, const Shot& shot);
