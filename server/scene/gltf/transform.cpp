@@ -82,12 +82,12 @@ void check_transform_usable(const glm::dmat4& affine, const std::string& path) {
         throw SceneError(path + ": its transform is not finite or too large");
     }
   }
-  if (!(condition_number(affine) <= kMaxCondition)) {
+  const double determinant = std::abs(glm::determinant(glm::dmat3(affine)));
+  if (!(condition_number(affine) <= kMaxCondition) || !(determinant >= kMinDeterminant)) {
     throw SceneError(path + ": its transform (with its parents') is singular or nearly so");
   }
-  const double determinant = std::abs(glm::determinant(glm::dmat3(affine)));
-  if (!(determinant >= kMinDeterminant && determinant <= kMaxDeterminant)) {
-    throw SceneError(path + ": its transform (with its parents') scales by too little or too much");
+  if (!(determinant <= kMaxDeterminant)) {
+    throw SceneError(path + ": its transform (with its parents') is too large");
   }
 }
 

@@ -15,7 +15,7 @@ glm::dmat4 parent_from_node(const tinygltf::Node& node);
 double condition_number(const glm::dmat4& affine);
 
 // Throws SceneError "path: ..." if the condition number is over 1e6 (numerics B23), or if float
-// cannot hold the matrix.
+// cannot hold the matrix, its determinant or its inverse.
 void check_transform_usable(const glm::dmat4& affine, const std::string& path);
 
 }  // namespace amalgam::scene
