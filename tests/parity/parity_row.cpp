@@ -135,20 +135,25 @@ void compare_composites(const common::ImageRgb8& actual, const ReferenceImages& 
 
 }  // namespace
 
-ParityRow compare_with_reference(const ParityCase& parity_case, frame::RendererMode mode) {
-  const ReferenceImages& expected = reference_images(parity_case);
-  frame::RendererSettings settings;
-  settings.mode = mode;
-  settings.trace_shadow_edges = true;
-  Rendering actual = render(parity_case, settings);
+ParityRow compare_rendering(Rendering actual, const ReferenceImages& expected,
+                            frame::RendererMode mode) {
   ParityRow row;
-  row.pixels = parity_case.camera_image.pixels().size();
+  row.pixels = actual.composite.pixels().size();
+  row.nonfinite = actual.statistics.nonfinite;
   compare_traced(actual.buffers, expected, mode, row);
   compare_composites(actual.composite, expected, mode, row);
   row.mixed = picture_of(actual.buffers, "mixed", expected);
   row.real = picture_of(actual.buffers, "real", expected);
   row.composite = std::move(actual.composite);
   return row;
+}
+
+ParityRow compare_with_reference(const ParityCase& parity_case, frame::RendererMode mode) {
+  const ReferenceImages& expected = reference_images(parity_case);
+  frame::RendererSettings settings;
+  settings.mode = mode;
+  settings.trace_shadow_edges = true;
+  return compare_rendering(render(parity_case, settings), expected, mode);
 }
 
 std::string table_header() {

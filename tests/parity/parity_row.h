@@ -5,6 +5,7 @@
 
 #include "frame/frame_renderer.h"
 #include "parity/parity_case.h"
+#include "parity/rendering.h"
 
 namespace amalgam::parity {
 
@@ -16,6 +17,7 @@ constexpr double kTracedMean = 2e-5;
 
 struct ParityRow {
   std::size_t pixels = 0;
+  std::uint64_t nonfinite = 0;  // values that the renderer replaced by 0
   // Pixels that the tracer is responsible for, by the reference.
   std::size_t traced = 0;
   // Of those: left out of the comparison, see reference::Grazing.
@@ -39,6 +41,10 @@ struct ParityRow {
   common::ImageRgb32f mixed, real;
   common::ImageRgb8 composite;
 };
+
+// Of a picture made in that mode; expected: with grazing pixels found.
+ParityRow compare_rendering(Rendering actual, const reference::ReferenceImages& expected,
+                            frame::RendererMode mode);
 
 // mode: Hybrid (traced pixels are those of M_r) or Raytrace (all are). Hybrid traces the edges of
 // shadows: shadow maps alone are exact to a texel.

@@ -25,6 +25,7 @@ void expect_agreement(const parity::ParityCase& parity_case, frame::RendererMode
   std::cout << parity::table_line(parity_case, mode, row);
   const auto pixels = static_cast<double>(row.pixels);
   EXPECT_GT(static_cast<double>(row.traced), 0.1 * pixels) << "the hard part is not in view";
+  EXPECT_EQ(row.nonfinite, 0u);
   EXPECT_EQ(row.traced_wrong, 0u) << "beyond " << parity::kTracedTolerance << ":" << row.worst;
   EXPECT_LE(row.traced_mean, parity::kTracedMean);
   EXPECT_LE(static_cast<double>(row.traced_wrong_grazing), kMostGrazingWrong * pixels);

@@ -25,7 +25,7 @@ ArrivingLight arriving_light(const scene::Light& light, const Vec3& point) {
   if (light.kind == scene::Light::Kind::Directional) {
     return {axis, kInfinity, Color(light.intensity)};
   }
-  constexpr double kNearest = 1e-4;  // metres; nearer, 1/d^2 would only show the model's end
+  constexpr double kNearest = 1e-6;  // metres; nearer, 1/d^2 would only show the model's end
   const Vec3 way = Vec3(light.position) - point;
   const double distance = std::max(kNearest, glm::length(way));
   ArrivingLight arrival;

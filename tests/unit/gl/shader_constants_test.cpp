@@ -41,7 +41,7 @@ TEST(ShaderConstants, AreWrittenAsGlslHasThem) {
   const std::string constants = shader_constants();
   for (const char* line :
        {"const uint kMaxLights = 512u;\n", "const int kMaskStepLocation = 3;\n",
-        "const float kNearPlane = 1e-06;\n", "const float kMinLightDistance = 1e-04;\n",
+        "const float kNearPlane = 1e-06;\n", "const float kMinLightDistance = 1e-06;\n",
         "const uint kSpotLight = 2u;\n", "const uint kVirtualGlass = 3u;\n"}) {
     EXPECT_NE(constants.find(line), std::string::npos) << line << constants;
   }
