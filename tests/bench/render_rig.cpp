@@ -28,18 +28,27 @@ class RenderRig::Worker {
          const RigOptions& options) {
     run([&] {
       renderer_.emplace(bench_case.scene, settings);
-      view_.emplace(
-          frame::ViewOptions{.camera = bench_case.camera, .keep_pixels = options.keep_pixels});
+      view_.emplace(frame::ViewOptions{.camera = bench_case.camera,
+                                       .jpeg_quality = options.jpeg_quality,
+                                       .keep_pixels = options.keep_pixels});
     });
   }
   ~Worker() {
     run([&] { renderer_.reset(); });  // on the thread that made it
   }
 
-  frame::FrameOutput render(const frame::FrameInput& input) {
+  frame::FrameOutput render(const frame::FrameInput& input, frame::FrameBuffers* buffers) {
     frame::FrameOutput output;
-    run([&] { output = renderer_->render(*view_, input); });
+    run([&] { output = renderer_->render(*view_, input, buffers); });
     return output;
+  }
+
+  void look_through(const common::CameraModel& camera) {
+    run([&] {
+      frame::ViewOptions options = view_->options;
+      options.camera = camera;
+      view_.emplace(options);
+    });
   }
 
  private:
@@ -83,8 +92,12 @@ frame::FrameOutput RenderRig::render() {
   return render(case_.input);
 }
 
-frame::FrameOutput RenderRig::render(const frame::FrameInput& input) {
-  return worker_->render(input);
+frame::FrameOutput RenderRig::render(const frame::FrameInput& input, frame::FrameBuffers* buffers) {
+  return worker_->render(input, buffers);
+}
+
+void RenderRig::look_through(const common::CameraModel& camera) {
+  worker_->look_through(camera);
 }
 
 double RenderRig::render_milliseconds() {
