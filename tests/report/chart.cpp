@@ -10,6 +10,13 @@ namespace {
 constexpr double kRoom = 0.08;      // of the values' span, at each end
 constexpr double kLeastSpan = 0.3;  // powers of ten: values that are all alike fill no axis
 
+// Which numbers of each power of ten are written along an axis of so many of them.
+std::vector<double> digits(double span) {
+  if (span > 3.0) return {1.0};
+  if (span > 1.0) return {1.0, 2.0, 5.0};
+  return {1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 7.0};
+}
+
 }  // namespace
 
 double LogAxis::place(double value) const {
@@ -28,12 +35,10 @@ LogAxis log_axis(const std::vector<double>& values) {
   low -= room;
   high += room;
   LogAxis axis{.low = std::pow(10.0, low), .high = std::pow(10.0, high), .ticks = {}};
-  const bool only_powers = high - low > 3.0;
   for (int power = static_cast<int>(std::floor(low)); power <= static_cast<int>(std::ceil(high));
        ++power) {
-    for (const double digit : {1.0, 2.0, 5.0}) {
+    for (const double digit : digits(high - low)) {
       const double tick = digit * std::pow(10.0, power);
-      if (only_powers && digit > 1.0) continue;
       if (tick >= axis.low && tick <= axis.high) axis.ticks.push_back(tick);
     }
   }

@@ -31,8 +31,8 @@ struct Chart {
   std::vector<ChartSeries> series{};
 };
 
-// An axis's ends, both positive, and the numbers that are written along it: 1, 2 and 5 times powers
-// of ten; powers of ten alone if the axis is longer than three of them.
+// An axis's ends, both positive, and the numbers that are written along it: more of them for each
+// power of ten if the axis is short.
 struct LogAxis {
   double low = 1.0, high = 10.0;
   std::vector<double> ticks{};

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 #include <fstream>
+#include <regex>
 #include <stdexcept>
 
 #include "bench/povray/temporary_folder.h"
@@ -15,7 +16,7 @@ namespace amalgam::report {
 namespace {
 
 // Pixels. The axes' box has a fixed place, so that labels can be placed in it.
-constexpr glm::dvec2 kPicture{720.0, 470.0}, kBoxLow{86.0, 64.0}, kBoxHigh{520.0, 430.0};
+constexpr glm::dvec2 kPicture{620.0, 520.0}, kBoxLow{86.0, 150.0}, kBoxHigh{596.0, 480.0};
 // Visible on white and on black.
 constexpr std::array kColors = {"#4e79a7", "#f28e2b", "#59a14f", "#e15759", "#b07aa1",
                                 "#3aa6a0", "#c0a02c", "#9c755f", "#d37295", "#8a8a8a"};
@@ -150,7 +151,9 @@ std::string gnuplot_program(const Chart& chart) {
                 kPicture.x, kPicture.y);
   std::string program = terminal;
   program += place;
-  program += "set logscale xy\nset key outside right top vertical Left reverse samplen 1.5\n";
+  program +=
+      "set logscale xy\nset key at screen 0.5, screen 0.01 center bottom horizontal maxcols 3 "
+      "Left reverse samplen 1.5 width 1\n";
   program +=
       "set bars small\nset tics nomirror\nset border 3\nset title " + literal(chart.title) + "\n";
   program += axis_lines("x", axes.x, chart.x_label) + axis_lines("y", axes.y, chart.y_label);
@@ -187,8 +190,8 @@ std::string draw(const Chart& chart, const std::string& id_prefix) {
   }
   replace_all(text, "'rgb(  0,   0,   0)'", "'currentColor'");
   replace_all(text, "href='#", "href='#" + id_prefix);
-  replace_all(text, "<title>Gnuplot</title>", "");
-  return text;
+  // Browsers would show titles as tool tips.
+  return std::regex_replace(text, std::regex("<title>[^<]*</title>"), "");
 }
 
 }  // namespace amalgam::report

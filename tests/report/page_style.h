@@ -15,7 +15,7 @@ h1 { font-size: 1.6rem; } h2 { font-size: 1.25rem; margin-top: 2.5rem; }
 p { max-width: 48rem; } .faint { color: var(--faint); }
 .charts { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 34rem), 1fr));
           gap: 1rem; }
-figure { margin: 0; } figure svg { width: 100%; height: auto; }
+figure { margin: 0; max-width: 46rem; } figure svg { width: 100%; height: auto; }
 figcaption { color: var(--faint); font-size: .9rem; }
 .scroll { overflow-x: auto; }
 table { border-collapse: collapse; font-size: .9rem; }

@@ -100,7 +100,7 @@ class Sweeps {
   }
 
   void cutoff() {
-    for (const float cutoff : levels<float>({0.2f, 0.1f, 0.05f, 0.02f},
+    for (const float cutoff : levels<float>({0.2f, 0.05f, 0.01f, 0.004f},
                                             {0.2f, 0.1f, 0.05f, 0.02f, 0.01f, 0.004f, 0.001f})) {
       Settings settings = base_;
       settings.trace.importance_cutoff = cutoff;
