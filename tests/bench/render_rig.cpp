@@ -13,6 +13,14 @@
 #include "frame/frame_renderer.h"
 
 namespace amalgam::bench {
+namespace {
+
+frame::ViewOptions view_options(const common::CameraModel& camera, const RigOptions& options) {
+  return {
+      .camera = camera, .jpeg_quality = options.jpeg_quality, .keep_pixels = options.keep_pixels};
+}
+
+}  // namespace
 
 frame::RendererSettings default_settings() {
   frame::RendererSettings settings;
@@ -28,9 +36,7 @@ class RenderRig::Worker {
          const RigOptions& options) {
     run([&] {
       renderer_.emplace(bench_case.scene, settings);
-      view_.emplace(frame::ViewOptions{.camera = bench_case.camera,
-                                       .jpeg_quality = options.jpeg_quality,
-                                       .keep_pixels = options.keep_pixels});
+      view_.emplace(view_options(bench_case.camera, options));
     });
   }
   ~Worker() {
@@ -43,12 +49,8 @@ class RenderRig::Worker {
     return output;
   }
 
-  void look_through(const common::CameraModel& camera) {
-    run([&] {
-      frame::ViewOptions options = view_->options;
-      options.camera = camera;
-      view_.emplace(options);
-    });
+  void look_through(const common::CameraModel& camera, const RigOptions& options) {
+    run([&] { view_.emplace(view_options(camera, options)); });
   }
 
  private:
@@ -96,8 +98,8 @@ frame::FrameOutput RenderRig::render(const frame::FrameInput& input, frame::Fram
   return worker_->render(input, buffers);
 }
 
-void RenderRig::look_through(const common::CameraModel& camera) {
-  worker_->look_through(camera);
+void RenderRig::look_through(const common::CameraModel& camera, const RigOptions& options) {
+  worker_->look_through(camera, options);
 }
 
 double RenderRig::render_milliseconds() {

@@ -37,8 +37,8 @@ class RenderRig {
   // The same of another input of the same camera. buffers: filled if given; that costs time.
   frame::FrameOutput render(const frame::FrameInput& input, frame::FrameBuffers* buffers = nullptr);
 
-  // From now on frames are those of another camera, in a new view.
-  void look_through(const common::CameraModel& camera);
+  // From now on frames are those of a new view, of another camera.
+  void look_through(const common::CameraModel& camera, const RigOptions& options = {});
 
   // Wall-clock time of render().
   double render_milliseconds();

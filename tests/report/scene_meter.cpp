@@ -4,6 +4,7 @@
 
 #include "common/build_info.h"
 #include "core/timings.h"
+#include "frame/settings_options.h"
 #include "report/composites.h"
 #include "report/host.h"
 #include "report/report_scene.h"
@@ -42,6 +43,13 @@ void set_knobs(RunRow& row, const SweepPoint& point) {
   row.reference = to_string(point.reference);
 }
 
+// The same for settings that render alike.
+std::string settings_text(const frame::RendererSettings& settings) {
+  std::string text = frame::settings_without_options(settings);
+  for (const std::string& word : frame::settings_options(settings)) text += " " + word;
+  return text;
+}
+
 void set_costs(RunRow& row, const frame::FrameOutput& output) {
   const core::RayCounts& rays = output.statistics.rays;
   row.stages_ms = stages_text(output.statistics.stages);
@@ -65,7 +73,7 @@ SceneMeter::SceneMeter(std::string scene_name, bench::BenchCase bench_case,
 
 RunRow SceneMeter::measure(const SweepPoint& point, int run) {
   const int index = run * plan_.places / plan_.runs;
-  bench::RenderRig& renderer = rig(point, index);
+  bench::RenderRig& rendering = renderer(point, index);
   const Errors& measured = errors(point, index);
 
   static const std::string commit = source_commit(), processor = processor_name();
@@ -87,7 +95,7 @@ RunRow SceneMeter::measure(const SweepPoint& point, int run) {
 
   const double cpu = process_cpu_milliseconds();
   const core::Stopwatch stopwatch;
-  const frame::FrameOutput output = renderer.render(place(index).input);
+  const frame::FrameOutput output = rendering.render(place(index).input);
   row.time_ms = stopwatch.milliseconds();
   row.cpu_ms = process_cpu_milliseconds() - cpu;
   set_costs(row, output);
@@ -108,7 +116,7 @@ RunRow SceneMeter::measure(const SweepPoint& point, int run) {
 
 SceneMeter::Pictures SceneMeter::pictures(const SweepPoint& point) {
   const bench::BenchCase& at = place(0);
-  return {render_composites(rig(point, 0), at.input, camera_image_of(at.input),
+  return {render_composites(renderer(point, 0), at.input, camera_image_of(at.input),
                             point.settings.render_scale)
               .before_jpeg,
           references_.composite(at, exposure_, point.reference)};
@@ -120,30 +128,32 @@ const bench::BenchCase& SceneMeter::place(int index) {
   return places_.emplace(index, moved_by(case_, sub_pixel_offset(index))).first->second;
 }
 
-bench::RenderRig& SceneMeter::rig(const SweepPoint& point, int index) {
-  const std::string name = point.sweep + " " + point.label;
-  if (name != point_) {
-    point_.clear();  // stays so if the rig cannot be made
-    errors_.clear();
-    rig_.reset();
-    rig_ = std::make_unique<bench::RenderRig>(
-        place(index), point.settings, bench::RigOptions{.jpeg_quality = point.jpeg_quality});
-    point_ = name;
-    rig_place_ = index;
+bench::RenderRig& SceneMeter::renderer(const SweepPoint& point, int index) {
+  const std::string settings = settings_text(point.settings);
+  const std::string view = std::to_string(index) + " quality " + std::to_string(point.jpeg_quality);
+  Rig& rig = default_.renderer == nullptr || default_.settings == settings ? default_ : other_;
+  const bench::RigOptions options{.jpeg_quality = point.jpeg_quality};
+  if (rig.settings != settings || rig.renderer == nullptr) {
+    rig = {};
+    rig = {settings, view,
+           std::make_unique<bench::RenderRig>(place(index), point.settings, options)};
   }
-  if (index != rig_place_) {
-    rig_->look_through(place(index).camera);
-    rig_place_ = index;
+  if (rig.view != view) {
+    rig.renderer->look_through(place(index).camera, options);
+    rig.view = view;
   }
-  return *rig_;
+  return *rig.renderer;
 }
 
 const SceneMeter::Errors& SceneMeter::errors(const SweepPoint& point, int index) {
+  const std::string name = point.sweep + " " + point.label;
+  if (name != point_) errors_.clear();
+  point_ = name;
   const auto found = errors_.find(index);
   if (found != errors_.end()) return found->second;
   const bench::BenchCase& at = place(index);
   const Composites composites = render_composites(
-      rig(point, index), at.input, camera_image_of(at.input), point.settings.render_scale);
+      renderer(point, index), at.input, camera_image_of(at.input), point.settings.render_scale);
   Errors result;
   result.figures = picture_figures(composites.before_jpeg,
                                    references_.composite(at, exposure_, point.reference));

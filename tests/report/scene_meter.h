@@ -44,9 +44,15 @@ class SceneMeter {
     double limit_mae = RunRow::kNone, floor_mae = RunRow::kNone, jpeg_mae = 0.0;
   };
 
+  // A renderer, and what it is set to.
+  struct Rig {
+    std::string settings, view;
+    std::unique_ptr<bench::RenderRig> renderer;
+  };
+
   const bench::BenchCase& place(int index);
-  // The rig of the point, looking through the place.
-  bench::RenderRig& rig(const SweepPoint& point, int index);
+  // The renderer of the point, looking through the place.
+  bench::RenderRig& renderer(const SweepPoint& point, int index);
   const Errors& errors(const SweepPoint& point, int index);
 
   std::string scene_name_;
@@ -56,11 +62,12 @@ class SceneMeter {
   RunPlan plan_;
   std::map<int, bench::BenchCase> places_;
 
-  // Of the point in hand.
-  std::string point_;
-  std::unique_ptr<bench::RenderRig> rig_;
-  int rig_place_ = 0;
-  std::map<int, Errors> errors_;  // by place
+  // Making a renderer takes longer than most runs. Each sweep has the default among its points, so
+  // its renderer stays; of the others, the last one.
+  Rig default_, other_;
+
+  std::string point_;             // in hand
+  std::map<int, Errors> errors_;  // its, by place
 };
 
 }  // namespace amalgam::report
