@@ -37,7 +37,7 @@ void set_knobs(RunRow& row, const SweepPoint& point) {
   row.importance_cutoff = static_cast<double>(settings.trace.importance_cutoff);
   row.fresnel = settings.trace.fresnel == trace::FresnelModel::Exact ? "exact" : "schlick";
   row.env_lights = scene::to_string(settings.env_lights);
-  row.shadow_edges = settings.trace_shadow_edges ? "traced" : "rasterised";
+  row.shadow_edges = settings.trace_shadow_edges ? "traced" : "map";
   row.render_scale = static_cast<double>(settings.render_scale);
   row.jpeg_quality = static_cast<std::uint64_t>(point.jpeg_quality);
   row.reference = to_string(point.reference);

@@ -139,7 +139,7 @@ class Sweeps {
   }
 
   void shadow_edges() {
-    add("shadow edges", "rasterised", kNoNumber, base_);
+    add("shadow edges", "map", kNoNumber, base_);
     Settings settings = base_;
     settings.trace_shadow_edges = true;
     add("shadow edges", "traced", kNoNumber, settings);
