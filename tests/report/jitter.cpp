@@ -70,13 +70,16 @@ JitterErrors measure_jitter(const std::string& scene_name, const bench::BenchCas
       render_composites(rig, bench_case.input, camera_image, settings.render_scale);
 
   JitterErrors errors{.scene = scene_name, .draws = draws};
-  errors.marker_pixels = mean_side(corners_in_picture(pose, length, bench_case.camera));
+  const double tracker_scale = kTrackerWidth / bench_case.camera.width;
+  errors.marker_pixels =
+      tracker_scale * mean_side(corners_in_picture(pose, length, bench_case.camera));
   errors.rendering = mean_absolute_error(still.before_jpeg, reference);
   errors.jpeg = mean_absolute_error(still.after_jpeg, still.before_jpeg);
   std::mt19937_64 random(1);
   for (int i = 0; i < draws; ++i) {
     frame::FrameInput input = bench_case.input;
-    input.poses = {noisy_pose(pose, length, bench_case.camera, kCornerNoise, random)};
+    input.poses = {
+        noisy_pose(pose, length, bench_case.camera, kCornerNoise / tracker_scale, random)};
     const Composites moved = render_composites(rig, input, camera_image, settings.render_scale);
     errors.tracking += mean_absolute_error(moved.before_jpeg, still.before_jpeg) / draws;
     errors.together += mean_absolute_error(moved.after_jpeg, reference) / draws;

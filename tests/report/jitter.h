@@ -12,6 +12,8 @@
 namespace amalgam::report {
 
 constexpr double kCornerNoise = 0.5;  // pixels, standard deviation on each axis
+// A tracker's picture is this wide, whatever the composite's size: the noise is 0.5 pixels there.
+constexpr double kTrackerWidth = 640.0;
 
 // The pose that a tracker finds if each of the marker's corners is off by normal noise. Of the two
 // poses that a flat marker leaves open it is the one nearer to the truth: flips are another matter.
@@ -24,7 +26,7 @@ common::MarkerPose noisy_pose(const common::MarkerPose& true_pose, double marker
 struct JitterErrors {
   std::string scene;
   int draws = 0;
-  double marker_pixels = 0.0;  // the mean side of the marker in the picture
+  double marker_pixels = 0.0;  // the mean side of the marker in the tracker's picture
   double tracking = 0.0;       // noisy pose to true pose, both rendered by us, before JPEG
   double rendering = 0.0;      // true pose to the reference, before JPEG
   double jpeg = 0.0;           // after JPEG to before it

@@ -41,8 +41,9 @@ Html jitter_section(const std::vector<JitterErrors>& jitter) {
   }
   return element("h2", "Camera jitter") +
          paragraph(
-             "A tracker finds the marker's corners with noise: 0.5 pixels on each axis here, "
-             "and the pose is solved from them. Mean absolute errors, white is 1: tracking "
+             "A tracker finds the marker's corners with noise: 0.5 pixels on each axis of a "
+             "picture 640 pixels wide. The pose is solved from them. Mean absolute errors, white "
+             "is 1: tracking "
              "is the composite with the noisy pose to the one with the true pose; rendering "
              "is the true pose's to the reference; JPEG is after to before encoding; "
              "together is the noisy pose's after JPEG to the reference. Parts need not add "

@@ -117,19 +117,14 @@ class Report {
 
   void measure(const std::string& scene, SceneMeter& meter, const SweepPoint& point) {
     for (int run = 0; run < options_.plan.runs; ++run) {
-      RunRow key;
-      key.scene = scene;
-      key.sweep = point.sweep;
-      key.point = point.label;
-      key.run = static_cast<std::uint64_t>(run);
-      if (runs_.has(run_key(key))) {
+      const RunRow wanted = meter.describe(point, run);
+      runs_.check_like(wanted);
+      if (runs_.has(run_key(wanted))) {
         progress_->step_skipped();
         continue;
       }
       say(scene + ": " + point.sweep + " " + point.label);
-      const RunRow row = meter.measure(point, run);
-      runs_.check_like(row);
-      runs_.append(row);
+      runs_.append(meter.measure(point, run));
       progress_->step_done();
     }
   }

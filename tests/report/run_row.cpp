@@ -52,6 +52,7 @@ const std::vector<Column>& columns() {
       column("env_lights", &RunRow::env_lights),
       column("shadow_edges", &RunRow::shadow_edges),
       column("render_scale", &RunRow::render_scale),
+      column("exposure", &RunRow::exposure),
       column("jpeg_quality", &RunRow::jpeg_quality),
       column("reference", &RunRow::reference),
       column("run", &RunRow::run),

@@ -29,6 +29,7 @@ struct RunRow {
   double importance_cutoff = 0.0;
   std::string fresnel, env_lights, shadow_edges;
   double render_scale = 1.0;
+  double exposure = 1.0;           // metered once for each scene
   std::uint64_t jpeg_quality = 0;  // 0: patched
   std::string reference;           // to_string(ReferenceSpec)
   // Which run.

@@ -1,6 +1,7 @@
 #include "report/runs_file.h"
 
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 #include "report/whole_file.h"
@@ -65,6 +66,9 @@ void RunsFile::check_like(const RunRow& row) const {
     check(row.isa, old.isa, "instruction set");
     check(row.threads, old.threads, "number of threads");
     check(std::pair(row.width, row.height), std::pair(old.width, old.height), "size");
+    if (std::tie(row.scene, row.sweep, row.point) == std::tie(old.scene, old.sweep, old.point)) {
+      check(row.reference, old.reference, "reference");
+    }
   }
 }
 

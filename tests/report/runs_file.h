@@ -23,8 +23,9 @@ class RunsFile {
   bool has(const std::string& key) const { return keys_.contains(key); }
   void append(const RunRow& row);
 
-  // Throws std::runtime_error if a row was measured elsewhere or otherwise: another commit,
-  // processor, instruction set, number of threads or size would be compared with this one's.
+  // Throws std::runtime_error if a row was measured elsewhere or otherwise: one of another commit,
+  // processor, instruction set, number of threads or size, or of the same setting with another
+  // reference, would be compared with this one.
   void check_like(const RunRow& row) const;
 
  private:

@@ -128,6 +128,11 @@ TEST_F(Runs, RowsOfAnotherMachineDoNotMix) {
   refused([](RunRow& row) { row.isa = "other"; });
   refused([](RunRow& row) { row.threads = 3; });
   refused([](RunRow& row) { row.height = 1; });
+  refused([](RunRow& row) { row.reference = "other"; });
+  RunRow of_another_point = sample_row(1);
+  of_another_point.point = "0.1";
+  of_another_point.reference = "other";
+  file.check_like(of_another_point);
 }
 
 }  // namespace

@@ -39,6 +39,7 @@ void set_knobs(RunRow& row, const SweepPoint& point) {
   row.env_lights = scene::to_string(settings.env_lights);
   row.shadow_edges = settings.trace_shadow_edges ? "traced" : "map";
   row.render_scale = static_cast<double>(settings.render_scale);
+  row.exposure = static_cast<double>(settings.exposure.value_or(1.0f));
   row.jpeg_quality = static_cast<std::uint64_t>(point.jpeg_quality);
   row.reference = to_string(point.reference);
 }
@@ -71,11 +72,7 @@ SceneMeter::SceneMeter(std::string scene_name, bench::BenchCase bench_case,
       exposure_(exposure),
       plan_(plan) {}
 
-RunRow SceneMeter::measure(const SweepPoint& point, int run) {
-  const int index = run * plan_.places / plan_.runs;
-  bench::RenderRig& rendering = renderer(point, index);
-  const Errors& measured = errors(point, index);
-
+RunRow SceneMeter::describe(const SweepPoint& point, int run) const {
   static const std::string commit = source_commit(), processor = processor_name();
   RunRow row;
   row.commit = commit;
@@ -88,10 +85,19 @@ RunRow SceneMeter::measure(const SweepPoint& point, int run) {
   row.height = static_cast<std::uint64_t>(case_.camera.height);
   set_knobs(row, point);
   row.run = static_cast<std::uint64_t>(run);
+  const int index = run * plan_.places / plan_.runs;
   row.offset = static_cast<std::uint64_t>(index);
   const glm::dvec2 offset = sub_pixel_offset(index);
   row.offset_x = offset.x;
   row.offset_y = offset.y;
+  return row;
+}
+
+RunRow SceneMeter::measure(const SweepPoint& point, int run) {
+  RunRow row = describe(point, run);
+  const auto index = static_cast<int>(row.offset);
+  bench::RenderRig& rendering = renderer(point, index);
+  const Errors& measured = errors(point, index);
 
   const double cpu = process_cpu_milliseconds();
   const core::Stopwatch stopwatch;

@@ -28,6 +28,9 @@ class SceneMeter {
   SceneMeter(std::string scene_name, bench::BenchCase bench_case, ReferenceStore& references,
              double exposure, const RunPlan& plan);
 
+  // A run's row before anything is measured: where it is, what it is of, and which run.
+  RunRow describe(const SweepPoint& point, int run) const;
+
   // One run. Before the first one of each place a frame is rendered for the error: the renderer is
   // deterministic, so it is that of all runs there. It also makes what is made only once.
   RunRow measure(const SweepPoint& point, int run);

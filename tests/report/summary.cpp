@@ -32,6 +32,12 @@ double mean_of_known(std::vector<double> numbers) {
   return numbers.empty() ? RunRow::kNone : mean(numbers);
 }
 
+std::string settings_of(const RunRow& row) {
+  return csv_line({row.renderer, std::to_string(row.samples), csv_number(row.adaptive_threshold),
+                   std::to_string(row.max_depth), csv_number(row.importance_cutoff), row.fresnel,
+                   row.env_lights, row.shadow_edges, csv_number(row.render_scale)});
+}
+
 PointSummary summarise_point(const Rows& rows) {
   const RunRow& first = *rows.front();
   PointSummary point;
@@ -39,6 +45,7 @@ PointSummary summarise_point(const Rows& rows) {
   point.sweep = first.sweep;
   point.point = first.point;
   point.reference = first.reference;
+  point.settings = settings_of(first);
   point.value = first.value;
   point.runs = rows.size();
   const std::vector<double> times = values(rows, &RunRow::time_ms);
@@ -67,8 +74,8 @@ PointSummary summarise_point(const Rows& rows) {
   return point;
 }
 
-// Of points that may be compared.
-void compare(std::vector<PointSummary*>& group) {
+// Of points that may be compared, all different.
+void compare(const std::vector<PointSummary*>& group) {
   std::vector<Cost> costs;
   for (const PointSummary* point : group) costs.push_back({point->time_median, point->mae});
   const std::vector<bool> flags = pareto_flags(costs);
@@ -101,9 +108,13 @@ std::vector<PointSummary> summarise(const std::vector<RunRow>& rows) {
   for (const std::string& key : order) points.push_back(summarise_point(by_point[key]));
   std::map<std::string, std::vector<PointSummary*>> groups;
   for (PointSummary& point : points) {
-    groups[csv_line({point.scene, point.reference})].push_back(&point);
+    auto& group = groups[csv_line({point.scene, point.reference})];
+    const bool repeated = std::any_of(group.begin(), group.end(), [&](const PointSummary* other) {
+      return other->settings == point.settings;
+    });
+    if (!repeated) group.push_back(&point);
   }
-  for (auto& [key, group] : groups) compare(group);
+  for (const auto& [key, group] : groups) compare(group);
   return points;
 }
 

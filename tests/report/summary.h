@@ -15,6 +15,7 @@ constexpr double kFloors = 3.0;
 
 struct PointSummary {
   std::string scene, sweep, point, reference;
+  std::string settings;  // all that the picture before JPEG depends on; equal ones render alike
   double value = RunRow::kNone;
   std::size_t runs = 0;
   double time_min = 0.0, time_median = 0.0, time_p5 = 0.0, time_p95 = 0.0;  // milliseconds
@@ -28,7 +29,8 @@ struct PointSummary {
   double limit_mae = RunRow::kNone, floor_mae = RunRow::kNone;
   double efficiency = 0.0;  // 1 / (MSE t), t the median time in seconds
   bool at_floor = false;
-  // Among the points of the scene that are compared with the same reference.
+  // Among the points of the scene that are compared with the same reference. A setting that several
+  // sweeps have takes part once, where it comes first: their times differ by chance.
   bool pareto = false;
   std::string equal_time, equal_error;  // "sweep point" of the partner; empty: none is better
   std::optional<double> slope;          // of the sweep's law, see laws.h

@@ -17,6 +17,7 @@ RunRow row(const std::string& point, std::uint64_t run, std::uint64_t place, dou
   result.sweep = "samples";
   result.point = point;
   result.value = std::stod(point);
+  result.samples = std::stoull(point);
   result.reference = "best";
   result.run = run;
   result.offset = place;
@@ -65,6 +66,21 @@ TEST(Summary, OnlyEqualReferencesCompare) {
   EXPECT_EQ(points[1].equal_error, "samples 1");
   EXPECT_TRUE(points[2].pareto);
   EXPECT_TRUE(points[3].pareto);
+}
+
+// The default is in many sweeps. Its times there differ by chance.
+TEST(Summary, ASettingTakesPartOnce) {
+  RunRow again = row("1", 0, 0, 9.0, 0.2);
+  again.sweep = "JPEG quality";
+  again.jpeg_quality = 50;
+  RunRow other = row("1", 0, 0, 8.0, 0.3);
+  other.sweep = "depth";
+  other.max_depth = 3;
+  const auto points = summarise({row("1", 0, 0, 10.0, 0.2), again, other});
+  EXPECT_TRUE(points[0].pareto);
+  EXPECT_EQ(points[0].equal_error, "");
+  EXPECT_FALSE(points[1].pareto);
+  EXPECT_TRUE(points[2].pareto);
 }
 
 TEST(Summary, TheFileHasAColumnForEachName) {
