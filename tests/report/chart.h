@@ -1,6 +1,7 @@
 // A chart as data: what gnuplot draws, and nothing about how.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,10 +19,11 @@ struct ChartSeries {
     Line,    // joins the points in their order
     Both,
   };
-  std::string name;  // in the legend
+  std::string name{};  // in the legend; empty: not there
   std::vector<ChartPoint> points{};
   Style style = Style::Points;
-  bool black = false;  // in the text's color rather than one of its own
+  static constexpr int kTextColor = -1;
+  std::optional<int> color{};  // kTextColor, or a series' number; nothing: one of its own
 };
 
 // Both axes are logarithmic.

@@ -9,7 +9,7 @@
 namespace amalgam::report {
 namespace {
 
-constexpr const char* kTimeAxis = "median time of a frame [ms]";
+constexpr const char* kTimeAxis = "least time of a frame [ms]";
 constexpr const char* kErrorAxis = "mean absolute error [display-linear, white = 1]";
 constexpr const char* kJpegSweep = "JPEG quality";
 
@@ -29,8 +29,8 @@ std::vector<std::string> distinct(const std::vector<PointSummary>& points,
 
 ChartPoint timed(const PointSummary& point, double error, const Interval& interval,
                  const std::string& label) {
-  return {point.time_median, error,         point.time_p5, point.time_p95,
-          interval.low,      interval.high, label};
+  return {point.time_min, error,         point.time_min, point.time_median,
+          interval.low,   interval.high, label};
 }
 
 ChartPoint timed(const PointSummary& point, const std::string& label) {
@@ -45,7 +45,8 @@ std::string label_of(const PointSummary& point) {
 
 Chart scene_chart(const std::vector<PointSummary>& points, const std::string& scene) {
   Chart chart{.title = scene + ": every setting", .x_label = kTimeAxis, .y_label = kErrorAxis};
-  ChartSeries pareto{.name = "Pareto line", .style = ChartSeries::Style::Line, .black = true};
+  ChartSeries pareto{
+      .name = "Pareto line", .style = ChartSeries::Style::Line, .color = ChartSeries::kTextColor};
   for (const std::string& sweep : distinct(points, &PointSummary::sweep)) {
     if (sweep == kLightsSweep || sweep == kJpegSweep) continue;
     ChartSeries series{.name = sweep};
@@ -92,7 +93,7 @@ Chart law_chart(const std::vector<PointSummary>& points, const std::vector<Law>&
     std::vector<double> knob, error;
     for (const PointSummary& point : points) {
       if (point.scene != scene || point.sweep != sweep) continue;
-      if (!(point.limit_mae > 0.0) || std::isnan(point.value)) continue;
+      if (!(point.limit_mae > kNoEffect) || std::isnan(point.value)) continue;
       const double e = point.limit_mae;
       series.points.push_back({point.value, e, point.value, point.value, e, e, ""});
       knob.push_back(point.value);
@@ -108,8 +109,10 @@ Chart law_chart(const std::vector<PointSummary>& points, const std::vector<Law>&
     if (!has_law || !fit) continue;
     const auto [least, most] = std::minmax_element(knob.begin(), knob.end());
     char slope[48];
-    std::snprintf(slope, sizeof slope, "fit: power %.2f", fit->slope);
-    ChartSeries line{.name = slope, .style = ChartSeries::Style::Line};
+    std::snprintf(slope, sizeof slope, ": power %.2f", fit->slope);
+    chart.series.back().name += slope;
+    ChartSeries line{.style = ChartSeries::Style::Line,
+                     .color = static_cast<int>(chart.series.size()) - 1};
     for (const double x : {*least, *most}) {
       const double y = std::exp(fit->intercept + fit->slope * std::log(x));
       line.points.push_back({x, y, x, x, y, y, ""});

@@ -46,7 +46,7 @@ std::string tics(const LogAxis& axis) {
   std::string text = "(";
   for (const double tick : axis.ticks) {
     char shown[32];
-    std::snprintf(shown, sizeof shown, "%.3g", tick);
+    std::snprintf(shown, sizeof shown, "%.6g", tick);
     text += (text.size() > 1 ? ", " : "") + literal(shown) + " " + csv_number(tick);
   }
   return text + ")";
@@ -104,8 +104,11 @@ std::string data_block(const std::string& name, const std::vector<ChartPoint>& p
 }
 
 std::string plots(const std::string& block, const ChartSeries& series, std::size_t index) {
-  const std::string color = literal(series.black ? "black" : kColors[index % kColors.size()]);
-  const std::string shape = std::to_string(kShapes[index % kShapes.size()]);
+  const int number = series.color.value_or(static_cast<int>(index));
+  const bool in_text_color = number == ChartSeries::kTextColor;
+  const std::size_t look = in_text_color ? 0 : static_cast<std::size_t>(number);
+  const std::string color = literal(in_text_color ? "black" : kColors[look % kColors.size()]);
+  const std::string shape = std::to_string(kShapes[look % kShapes.size()]);
   const bool has_line = series.style != ChartSeries::Style::Points;
   std::string text;
   if (has_line) text += block + " using 1:2 with lines lw 1.5 lc rgb " + color;
@@ -113,7 +116,7 @@ std::string plots(const std::string& block, const ChartSeries& series, std::size
     if (has_line) text += " notitle, ";
     text += block + " using 1:2:3:4:5:6 with xyerrorbars ps 0.7 pt " + shape + " lc rgb " + color;
   }
-  return text + " title " + literal(series.name);
+  return text + (series.name.empty() ? " notitle" : " title " + literal(series.name));
 }
 
 void replace_all(std::string& text, const std::string& from, const std::string& to) {

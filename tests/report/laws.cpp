@@ -56,7 +56,7 @@ std::vector<Law> find_laws(const std::vector<PointSummary>& points,
   std::vector<std::pair<std::string, std::string>> order;  // scene, sweep
   std::map<std::pair<std::string, std::string>, Curve> curves;
   for (const PointSummary& point : points) {
-    if (!(point.limit_mae > 0.0) || std::isnan(point.value)) continue;
+    if (!(point.limit_mae > kNoEffect) || std::isnan(point.value)) continue;
     const std::pair key(point.scene, point.sweep);
     if (!curves.contains(key)) order.push_back(key);
     curves[key].knob.push_back(point.value);

@@ -9,6 +9,10 @@
 
 namespace amalgam::report {
 
+// Display-linear. Two renderers differ by so much in arithmetic and at edges that rays graze:
+// points with less error say nothing of their knob.
+constexpr double kNoEffect = 4e-5;
+
 // A measured slope may lie so far outside what is expected, in relation to it.
 constexpr double kSlopeTolerance = 0.1;
 

@@ -141,7 +141,7 @@ PointSummary point(const std::string& name, double time, double error, bool pare
   result.point = name;
   result.reference = "16x16";
   result.value = std::stod(name);
-  result.time_median = result.time_p5 = result.time_p95 = time;
+  result.time_min = result.time_median = time;
   result.mae = result.mae_interval.low = result.mae_interval.high = error;
   result.limit_mae = 2.0 * error;
   result.pareto = pareto;
@@ -166,7 +166,8 @@ TEST(Charts, FittedLinesGoThroughAPowerLaw) {
                                          point("16", 3, 0.04, true)};
   const Chart chart = law_chart(points, find_laws(points, {}), "samples");
   ASSERT_EQ(chart.series.size(), 2u);
-  EXPECT_EQ(chart.series[1].name, "fit: power -0.50");
+  EXPECT_EQ(chart.series[0].name, "a <scene>: power -0.50");
+  EXPECT_EQ(chart.series[1].color, 0);
   EXPECT_NEAR(chart.series[1].points[0].y, 0.32, 1e-12);
   EXPECT_NEAR(chart.series[1].points[1].y, 0.08, 1e-12);
 }

@@ -52,13 +52,12 @@ Html host_lines(const ReportData& data) {
 Html method() {
   return element(
       "p",
-      "How to read it: each point is one setting of the renderer. Its time is the median over "
-      "runs, "
-      "from the camera's JPEG to the composite's; bars are the percentiles 5 and 95. Its error is "
+      "How to read it: each point is one setting of the renderer. Its time is the least of all "
+      "runs, from the camera's JPEG to the composite's; the bar ends at the median. Its error is "
       "that of the composite before JPEG to an independent renderer in double precision, in "
       "display-linear light; bars are 95 % intervals (bootstrap). The renderer is deterministic, "
       "so runs look through a camera whose principal point is moved by up to half a pixel, to a "
-      "few places; each place has a reference of its own, because the camera's picture, which "
+      "few places. Each place has a reference of its own, because the camera's picture, which "
       "mirrors and glass show, moves too.");
 }
 

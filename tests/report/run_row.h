@@ -46,7 +46,7 @@ struct RunRow {
   // Errors of the float composite, display-linear.
   double mae = 0.0, mse = 0.0, mrse = 0.0, ssim = 0.0, psnr = 0.0, maximum = 0.0;
   std::uint64_t nonfinite = 0;
-  double limit_mae = kNone;  // to the same setting with the knob at its limit
+  double limit_mae = kNone;  // to the same setting with the knob at its limit, all traced
   double floor_mae = kNone;  // of the reference
   double jpeg_mae = 0.0;     // the decoded composite to the float composite
   // The renderer's own bound of what truncated branches may have lacked.

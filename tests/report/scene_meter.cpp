@@ -151,6 +151,17 @@ bench::RenderRig& SceneMeter::renderer(const SweepPoint& point, int index) {
   return *rig.renderer;
 }
 
+double SceneMeter::limit_error(const SweepPoint& point) {
+  const bench::BenchCase& at = place(0);
+  frame::RendererSettings settings = point.settings;
+  settings.mode = frame::RendererMode::Raytrace;
+  bench::RenderRig traced(at, settings);
+  const Composites composites =
+      render_composites(traced, at.input, camera_image_of(at.input), settings.render_scale);
+  return mean_absolute_error(composites.before_jpeg,
+                             references_.composite(at, exposure_, *point.limit));
+}
+
 const SceneMeter::Errors& SceneMeter::errors(const SweepPoint& point, int index) {
   const std::string name = point.sweep + " " + point.label;
   if (name != point_) errors_.clear();
@@ -166,10 +177,7 @@ const SceneMeter::Errors& SceneMeter::errors(const SweepPoint& point, int index)
   result.jpeg_mae = mean_absolute_error(composites.after_jpeg, composites.before_jpeg);
   // The law of a knob shows at one place as well as at many, and floors are alike.
   result.floor_mae = references_.floor(place(0), exposure_, point.reference);
-  if (point.limit && index == 0) {
-    result.limit_mae = mean_absolute_error(composites.before_jpeg,
-                                           references_.composite(at, exposure_, *point.limit));
-  }
+  if (point.limit && index == 0) result.limit_mae = limit_error(point);
   return errors_.emplace(index, result).first->second;
 }
 

@@ -56,6 +56,9 @@ class SceneMeter {
   const bench::BenchCase& place(int index);
   // The renderer of the point, looking through the place.
   bench::RenderRig& renderer(const SweepPoint& point, int index);
+  // To the knob's limit, at place 0 and with every pixel traced: the errors of shadow maps would
+  // hide the knob's.
+  double limit_error(const SweepPoint& point);
   const Errors& errors(const SweepPoint& point, int index);
 
   std::string scene_name_;

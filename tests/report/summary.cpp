@@ -69,7 +69,7 @@ PointSummary summarise_point(const Rows& rows) {
     point.maximum = std::max(point.maximum, row->maximum);
     point.nonfinite = std::max(point.nonfinite, row->nonfinite);
   }
-  point.efficiency = 1.0 / (point.mse * point.time_median / 1000.0);
+  point.efficiency = 1.0 / (point.mse * point.time_min / 1000.0);
   point.at_floor = point.mae < kFloors * point.floor_mae;
   return point;
 }
@@ -77,7 +77,7 @@ PointSummary summarise_point(const Rows& rows) {
 // Of points that may be compared, all different.
 void compare(const std::vector<PointSummary*>& group) {
   std::vector<Cost> costs;
-  for (const PointSummary* point : group) costs.push_back({point->time_median, point->mae});
+  for (const PointSummary* point : group) costs.push_back({point->time_min, point->mae});
   const std::vector<bool> flags = pareto_flags(costs);
   for (std::size_t i = 0; i < group.size(); ++i) {
     group[i]->pareto = flags[i];

@@ -13,6 +13,7 @@ namespace amalgam::report {
 // A point below so many floors may be as good as the reference: its error is not known.
 constexpr double kFloors = 3.0;
 
+// Settings are compared by their least times: whatever else a machine does only adds to them.
 struct PointSummary {
   std::string scene, sweep, point, reference;
   std::string settings;  // all that the picture before JPEG depends on; equal ones render alike
@@ -27,7 +28,7 @@ struct PointSummary {
   double maximum = 0.0;         // the largest
   std::uint64_t nonfinite = 0;  // the most of a run
   double limit_mae = RunRow::kNone, floor_mae = RunRow::kNone;
-  double efficiency = 0.0;  // 1 / (MSE t), t the median time in seconds
+  double efficiency = 0.0;  // 1 / (MSE t), t the least time in seconds
   bool at_floor = false;
   // Among the points of the scene that are compared with the same reference. A setting that several
   // sweeps have takes part once, where it comes first: their times differ by chance.
