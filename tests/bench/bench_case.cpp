@@ -58,7 +58,12 @@ BenchCase BenchScenes::mirror_bunny(int width, int height) const {
 }
 
 BenchCase BenchScenes::complex(int width, int height) const {
-  BenchCase result = load("complex", "complex.gltf", width, height);
+  return on_desk("complex", "complex.gltf", width, height);
+}
+
+BenchCase BenchScenes::on_desk(const std::string& name, const std::string& file, int width,
+                               int height) const {
+  BenchCase result = load(name, file, width, height);
   set_pose(result, frame::default_pose(kMarker));
   return result;
 }

@@ -39,6 +39,8 @@ class BenchScenes {
   BenchCase glass_bunny(int width, int height) const;
   BenchCase mirror_bunny(int width, int height) const;
   BenchCase complex(int width, int height) const;  // seen as by frame::default_pose
+  // Any other scene of the folder on the world marker of the desk, seen as by frame::default_pose.
+  BenchCase on_desk(const std::string& name, const std::string& file, int width, int height) const;
 
  private:
   BenchCase load(const std::string& name, const std::string& file, int width, int height) const;

@@ -1,6 +1,8 @@
 #include "bench/picture_error.h"
 
 #include <cstdlib>
+#include <limits>
+#include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/quality/qualityssim.hpp>
 #include <stdexcept>
@@ -8,12 +10,15 @@
 namespace amalgam::bench {
 namespace {
 
-cv::Mat as_grey(const common::ImageRgb8& image) {
-  // OpenCV takes no constant data; it is not written to.
+// The image's own bytes, for reading. OpenCV takes no constant data.
+cv::Mat as_matrix(const common::ImageRgb8& image) {
   auto* bytes = const_cast<common::Rgb8*>(image.data());
-  const cv::Mat rgb(image.height(), image.width(), CV_8UC3, bytes);
+  return {image.height(), image.width(), CV_8UC3, bytes};
+}
+
+cv::Mat as_grey(const common::ImageRgb8& image) {
   cv::Mat grey;
-  cv::cvtColor(rgb, grey, cv::COLOR_RGB2GRAY);
+  cv::cvtColor(as_matrix(image), grey, cv::COLOR_RGB2GRAY);
   return grey;
 }
 
@@ -38,6 +43,13 @@ double mean_difference(const common::ImageRgb8& a, const common::ImageRgb8& b) {
 double ssim(const common::ImageRgb8& a, const common::ImageRgb8& b) {
   check_sizes(a, b);
   return cv::quality::QualitySSIM::compute(as_grey(a), as_grey(b), cv::noArray())[0];
+}
+
+double psnr(const common::ImageRgb8& a, const common::ImageRgb8& b) {
+  check_sizes(a, b);
+  // OpenCV keeps away from infinity.
+  if (a == b) return std::numeric_limits<double>::infinity();
+  return cv::PSNR(as_matrix(a), as_matrix(b));
 }
 
 }  // namespace amalgam::bench

@@ -13,6 +13,14 @@
 #include "frame/frame_renderer.h"
 
 namespace amalgam::bench {
+namespace {
+
+frame::ViewOptions view_options(const common::CameraModel& camera, const RigOptions& options) {
+  return {
+      .camera = camera, .jpeg_quality = options.jpeg_quality, .keep_pixels = options.keep_pixels};
+}
+
+}  // namespace
 
 frame::RendererSettings default_settings() {
   frame::RendererSettings settings;
@@ -28,18 +36,21 @@ class RenderRig::Worker {
          const RigOptions& options) {
     run([&] {
       renderer_.emplace(bench_case.scene, settings);
-      view_.emplace(
-          frame::ViewOptions{.camera = bench_case.camera, .keep_pixels = options.keep_pixels});
+      view_.emplace(view_options(bench_case.camera, options));
     });
   }
   ~Worker() {
     run([&] { renderer_.reset(); });  // on the thread that made it
   }
 
-  frame::FrameOutput render(const frame::FrameInput& input) {
+  frame::FrameOutput render(const frame::FrameInput& input, frame::FrameBuffers* buffers) {
     frame::FrameOutput output;
-    run([&] { output = renderer_->render(*view_, input); });
+    run([&] { output = renderer_->render(*view_, input, buffers); });
     return output;
+  }
+
+  void look_through(const common::CameraModel& camera, const RigOptions& options) {
+    run([&] { view_.emplace(view_options(camera, options)); });
   }
 
  private:
@@ -83,8 +94,12 @@ frame::FrameOutput RenderRig::render() {
   return render(case_.input);
 }
 
-frame::FrameOutput RenderRig::render(const frame::FrameInput& input) {
-  return worker_->render(input);
+frame::FrameOutput RenderRig::render(const frame::FrameInput& input, frame::FrameBuffers* buffers) {
+  return worker_->render(input, buffers);
+}
+
+void RenderRig::look_through(const common::CameraModel& camera, const RigOptions& options) {
+  worker_->look_through(camera, options);
 }
 
 double RenderRig::render_milliseconds() {

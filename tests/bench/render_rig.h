@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "bench/bench_case.h"
+#include "frame/buffer_dump.h"
 #include "frame/frame.h"
 #include "frame/renderer_settings.h"
 
@@ -20,6 +21,7 @@ frame::RendererSettings default_settings();
 
 struct RigOptions {
   bool keep_pixels = false;  // frames come with the composite's pixels
+  int jpeg_quality = 0;      // as frame::ViewOptions has it
 };
 
 class RenderRig {
@@ -32,8 +34,11 @@ class RenderRig {
 
   // One frame, from the client's JPEG to the composite's. Blocks until it is done.
   frame::FrameOutput render();
-  // The same of another input of the same camera.
-  frame::FrameOutput render(const frame::FrameInput& input);
+  // The same of another input of the same camera. buffers: filled if given; that costs time.
+  frame::FrameOutput render(const frame::FrameInput& input, frame::FrameBuffers* buffers = nullptr);
+
+  // From now on frames are those of a new view, of another camera.
+  void look_through(const common::CameraModel& camera, const RigOptions& options = {});
 
   // Wall-clock time of render().
   double render_milliseconds();

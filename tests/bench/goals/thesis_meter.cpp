@@ -15,7 +15,6 @@ namespace {
 // full size would take minutes. The smaller picture's pixels are larger, so its edges weigh more:
 // the figure is an upper one.
 constexpr int kErrorWidth = 320;
-constexpr double kSecondsForTimes = 3.0;
 
 constexpr int kReferenceSamples = 16;
 constexpr int kReferenceDepth = 64;
@@ -89,7 +88,7 @@ common::ImageRgb8 render_reference(BenchCase bench_case, ThesisMethod method, fl
 
 // Nothing if the frame is not reused, however long nothing moves.
 std::optional<double> still_frames_per_second(const BenchCase& bench_case,
-                                              frame::RendererSettings settings) {
+                                              frame::RendererSettings settings, double seconds) {
   settings.reuse_still_frames = true;
   RenderRig rig(bench_case, settings);
   rig.render();  // the second equal frame is kept; the rig made the first
@@ -99,7 +98,7 @@ std::optional<double> still_frames_per_second(const BenchCase& bench_case,
     return (pass.name == "mask" || pass.name == "trace") && pass.ran;
   });
   if (masked) return std::nullopt;
-  return 1000.0 / median_frame_milliseconds(rig, kSecondsForTimes);
+  return 1000.0 / median_frame_milliseconds(rig, seconds);
 }
 
 }  // namespace
@@ -127,10 +126,10 @@ const ThesisMeter::Figures& ThesisMeter::figures(const ThesisRow& row, const std
   Figures figures;
   {
     RenderRig rig(full, settings_for(row.method, samples));
-    figures.frames_per_second = 1000.0 / median_frame_milliseconds(rig, kSecondsForTimes);
+    figures.frames_per_second = 1000.0 / median_frame_milliseconds(rig, seconds_);
   }
   figures.still_frames_per_second =
-      still_frames_per_second(full, settings_for(row.method, samples));
+      still_frames_per_second(full, settings_for(row.method, samples), seconds_);
   figures.error = error(row, samples);
   return figures_.emplace(key, figures).first->second;
 }

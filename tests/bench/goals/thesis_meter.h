@@ -14,7 +14,9 @@ namespace amalgam::bench {
 
 class ThesisMeter {
  public:
-  explicit ThesisMeter(const BenchScenes& scenes) : scenes_(scenes) {}
+  // seconds: the time to spend on each frame rate, at most three times that.
+  explicit ThesisMeter(const BenchScenes& scenes, double seconds = 3.0)
+      : scenes_(scenes), seconds_(seconds) {}
 
   // Rows that differ only in what Amalgam does not tell apart are measured once.
   ThesisResult measure(const ThesisRow& row);
@@ -30,6 +32,7 @@ class ThesisMeter {
   double error(const ThesisRow& row, const std::string& samples);
 
   const BenchScenes& scenes_;
+  double seconds_;
   std::map<std::string, Figures> figures_;
   std::map<std::string, common::ImageRgb8> references_;
 };

@@ -1,34 +1,13 @@
 #include "bench/povray/pov_run.h"
 
-#include <array>
-#include <cstdio>
 #include <cstdlib>
-#include <memory>
 #include <regex>
 #include <stdexcept>
 
+#include "bench/shell.h"
+
 namespace amalgam::bench {
 namespace {
-
-// What a shell command prints; its exit status is told by what it printed.
-std::string output_of(const std::string& command) {
-  const auto close = [](std::FILE* pipe) { ::pclose(pipe); };
-  const std::unique_ptr<std::FILE, decltype(close)> pipe(::popen(command.c_str(), "r"), close);
-  if (!pipe) throw std::runtime_error("no shell for " + command);
-  std::string text;
-  std::array<char, 4096> buffer;
-  while (const std::size_t size = std::fread(buffer.data(), 1, buffer.size(), pipe.get())) {
-    text.append(buffer.data(), size);
-  }
-  return text;
-}
-
-std::string quoted(const std::filesystem::path& path) {
-  std::string text("'");
-  text += path.string();
-  text += '\'';
-  return text;
-}
 
 std::string first_match(const std::string& text, const char* pattern) {
   std::smatch match;

@@ -1,0 +1,145 @@
+#include "report/page_sections.h"
+
+#include "report/picture_figures.h"
+#include "report/worst_pictures.h"
+
+namespace amalgam::report {
+namespace {
+
+Html verdict(bool good, const char* yes, const char* no) {
+  return element("span", good ? "good" : "bad", text(good ? yes : no));
+}
+
+Html paragraph(std::string_view plain) {
+  return element("p", plain);
+}
+
+}  // namespace
+
+Html laws_section(const std::vector<Law>& laws) {
+  if (laws.empty()) return {};
+  std::vector<std::vector<Html>> rows;
+  for (const Law& law : laws) {
+    rows.push_back({text(law.sweep), text(law.scene), text(law.quantity), text(law.expected),
+                    number(law.slope), verdict(law.pass, "pass", "fail")});
+  }
+  return element("h2", "Expected slopes") +
+         paragraph(
+             "The error here is the one to the same setting with the knob at its limit, with every "
+             "pixel traced, so that other errors do not hide the law. Points below 4e-5 are left "
+             "out: there the two renderers' arithmetic differs. A slope passes within 10 % of what "
+             "is "
+             "expected.") +
+         table({"knob", "scene", "slope", "expected", "measured", "verdict"}, rows, 3);
+}
+
+Html jitter_section(const std::vector<JitterErrors>& jitter) {
+  if (jitter.empty()) return {};
+  std::vector<std::vector<Html>> rows;
+  for (const JitterErrors& errors : jitter) {
+    rows.push_back({text(errors.scene), number(errors.marker_pixels),
+                    text(std::to_string(errors.draws)), number(errors.tracking),
+                    number(errors.rendering), number(errors.jpeg), number(errors.together)});
+  }
+  return element("h2", "Camera jitter") +
+         paragraph(
+             "A tracker finds the marker's corners with noise: 0.5 pixels on each axis of a "
+             "picture 640 pixels wide. The pose is solved from them. Mean absolute errors, white "
+             "is 1: tracking "
+             "is the composite with the noisy pose to the one with the true pose; rendering "
+             "is the true pose's to the reference; JPEG is after to before encoding; "
+             "together is the noisy pose's after JPEG to the reference. Parts need not add "
+             "up: errors may cancel.") +
+         table(
+             {"scene", "marker's side [px]", "draws", "tracking", "rendering", "JPEG", "together"},
+             rows, 1);
+}
+
+Html determinism_section(const std::vector<LayersHash>& hashes) {
+  if (hashes.empty()) return {};
+  std::vector<std::vector<Html>> rows;
+  for (const LayersHash& row : hashes) {
+    const LayersHash& first = *std::find_if(
+        hashes.begin(), hashes.end(), [&](const auto& other) { return other.scene == row.scene; });
+    rows.push_back({text(row.scene), text(row.what), element("code", text(row.hash.substr(0, 16))),
+                    verdict(row.hash == first.hash, "equal", "differs")});
+  }
+  return element("h2", "Determinism") +
+         paragraph(
+             "SHA-256 of the float layers (first 16 digits): equal for any number of "
+             "threads.") +
+         table({"scene", "rendered with", "hash", "to the scene's first"}, rows, 4);
+}
+
+Html thesis_section(const std::vector<bench::ThesisResult>& results) {
+  if (results.empty()) return {};
+  std::vector<std::vector<Html>> rows;
+  for (const bench::ThesisResult& result : results) {
+    const bench::ThesisRow& row = result.row;
+    const std::string samples = row.samples == 1 ? "none" : std::to_string(row.samples) + "x";
+    std::string note = result.adaptive ? "ours: adaptive samples" : "";
+    if (row.pc != 1) note = "the thesis's other PC";
+    if (row.pc == 1 && !bench::is_held_to_goal(row)) note = "ours: the hybrid renderer";
+    rows.push_back({text(bench::to_string(row.scene)),
+                    text(std::to_string(row.width) + "x" + std::to_string(row.height)),
+                    text(samples), text(bench::to_string(row.method)), text(note),
+                    number(result.frames_per_second), number(row.frames_per_second),
+                    number(result.ratio()), number(result.error)});
+  }
+  return element("h2", "Table 6.1 of the thesis, anew") +
+         paragraph(
+             "Frames a second, ours on this machine and the thesis's on its own, and the "
+             "mean absolute error of our picture to one with 16 samples a pixel, in 1/255 of "
+             "the bytes, taken at a width of 320 pixels.") +
+         table({"scene", "size", "anti-aliasing", "renderer", "", "ours [1/s]", "thesis [1/s]",
+                "ratio", "our error [1/255]"},
+               rows, 5);
+}
+
+Html worst_section(const std::vector<WorstCase>& cases) {
+  if (cases.empty()) return {};
+  Html section = element("h2", "Worst cases") +
+                 paragraph(
+                     "Of each scene the setting with the largest mean error: ours, the "
+                     "reference, and their difference times 10.");
+  for (const WorstCase& worst : cases) {
+    char error[32];
+    std::snprintf(error, sizeof error, "%.3g", worst.mae);
+    const std::string title = worst.scene + ", " + worst.point + ": error " + error;
+    const auto figure = [](const common::ImageRgb8& picture, const char* name) {
+      return element("figure", png_image(as_png(picture), name) + element("figcaption", name));
+    };
+    section +=
+        element("h3", title) +
+        element("div", "pictures",
+                figure(as_bytes(worst.ours), "ours") +
+                    figure(as_bytes(worst.reference), "reference") +
+                    figure(difference_picture(worst.ours, worst.reference), "difference x 10"));
+  }
+  return section;
+}
+
+Html points_section(const std::vector<PointSummary>& points) {
+  if (points.empty()) return {};
+  std::vector<std::vector<Html>> rows;
+  for (const PointSummary& p : points) {
+    std::string marks = p.pareto ? "Pareto" : "";
+    if (p.at_floor) marks += marks.empty() ? "at floor" : ", at floor";
+    rows.push_back({text(p.scene), text(full_name(p)), text(marks), text(p.equal_time),
+                    text(p.equal_error), number(p.time_min), number(p.time_median), number(p.mae),
+                    number(p.mae_interval.low), number(p.mae_interval.high), number(p.ssim),
+                    number(p.psnr), number(p.maximum), number(p.jpeg_mae), number(p.efficiency)});
+  }
+  return element("h2", "All settings") +
+         paragraph(
+             "At floor: below 3 times the reference's own error. Partners are settings of "
+             "the same scene: the least error at no more time, and the least time at no more "
+             "error. Efficiency is 1 / (MSE t). The files runs.csv and summary.csv have "
+             "more columns.") +
+         table({"scene", "setting", "", "equal-time partner", "equal-error partner",
+                "least time [ms]", "median time [ms]", "error", "95 % from", "to", "SSIM",
+                "PSNR [dB]", "maximum", "JPEG error", "efficiency [1/s]"},
+               rows, 5);
+}
+
+}  // namespace amalgam::report
