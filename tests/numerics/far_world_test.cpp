@@ -39,15 +39,19 @@ test_support::ImageComparison compare_moved(frame::RendererMode mode, double met
                                       test_support::as_floats(expected.composite));
 }
 
-TEST(FarWorld, LooksTheSameUpToFourThousandKilometres) {
-  using frame::RendererMode;
-  for (const auto& [mode, metres] :
-       {std::pair{RendererMode::Hybrid, 1e6}, std::pair{RendererMode::Raytrace, 1e3},
-        std::pair{RendererMode::Raytrace, 1e6}, std::pair{RendererMode::Raytrace, 4e6}}) {
+void expect_same(frame::RendererMode mode, std::initializer_list<double> distances) {
+  for (const double metres : distances) {
     const auto comparison = compare_moved(mode, metres);
-    EXPECT_LE(comparison.maximum, 1.0) << mode_name(mode) << " " << metres << "\n"
-                                       << comparison.describe();
+    EXPECT_LE(comparison.maximum, 1.0) << metres << "\n" << comparison.describe();
   }
+}
+
+TEST(FarWorld, LooksTheSameAThousandKilometresAway) {
+  expect_same(frame::RendererMode::Hybrid, {1e6});
+}
+
+TEST(FarWorld, LooksTheSameTracedUpToFourThousandKilometres) {
+  expect_same(frame::RendererMode::Raytrace, {1e3, 1e6, 4e6});
 }
 
 // Beyond 10,000 km a pose is refused, and the camera's picture stays as it is.
