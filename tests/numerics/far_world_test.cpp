@@ -54,6 +54,20 @@ TEST(FarWorld, LooksTheSameTracedUpToFourThousandKilometres) {
   expect_same(frame::RendererMode::Raytrace, {1e3, 1e6, 4e6});
 }
 
+// The camera alone so far away, as by a wrong pose: the scene is smaller than a pixel.
+TEST(FarWorld, ANearSceneIsNotSeenFromFarAway) {
+  for (const auto mode : {frame::RendererMode::Hybrid, frame::RendererMode::Raytrace}) {
+    frame::RendererSettings settings;
+    settings.mode = mode;
+    ParityCase far = make_everything_case();
+    for (common::MarkerPose& pose : far.poses) pose.translation = {0.0, 0.0, 9e6};
+    const auto rendering = render(far, settings);
+    EXPECT_EQ(rendering.statistics.nonfinite, 0u);
+    EXPECT_TRUE(
+        test_support::images_are_same("camera image", rendering.composite, far.camera_image));
+  }
+}
+
 // Beyond 10,000 km a pose is refused, and the camera's picture stays as it is.
 TEST(FarWorld, BeyondThePosesLimitNothingIsDrawn) {
   const ParityCase original = make_everything_case();
