@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/flush_denormals.h"
+#include "numerics/many_workers.h"
 #include "parity/rendering.h"
 #include "support/scene_builders.h"
 #include "unit/trace/trace_shot.h"
@@ -52,6 +53,7 @@ float darkest_pixel(float radiance, int threads) {
 }
 
 TEST(Denormals, AreZeroInEveryThreadThatRenders) {
+  const test_support::ManyWorkers many;
   for (const int threads : {1, 2, 16}) {
     EXPECT_EQ(darkest_pixel(1e-39f, threads), 0.0f) << threads;
     EXPECT_EQ(darkest_pixel(1e-37f, threads), 1e-37f) << threads;

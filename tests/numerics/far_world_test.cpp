@@ -39,14 +39,32 @@ test_support::ImageComparison compare_moved(frame::RendererMode mode, double met
                                       test_support::as_floats(expected.composite));
 }
 
-TEST(FarWorld, LooksTheSameUpToFourThousandKilometres) {
-  using frame::RendererMode;
-  for (const auto& [mode, metres] :
-       {std::pair{RendererMode::Hybrid, 1e6}, std::pair{RendererMode::Raytrace, 1e3},
-        std::pair{RendererMode::Raytrace, 1e6}, std::pair{RendererMode::Raytrace, 4e6}}) {
+void expect_same(frame::RendererMode mode, std::initializer_list<double> distances) {
+  for (const double metres : distances) {
     const auto comparison = compare_moved(mode, metres);
-    EXPECT_LE(comparison.maximum, 1.0) << mode_name(mode) << " " << metres << "\n"
-                                       << comparison.describe();
+    EXPECT_LE(comparison.maximum, 1.0) << metres << "\n" << comparison.describe();
+  }
+}
+
+TEST(FarWorld, LooksTheSameAThousandKilometresAway) {
+  expect_same(frame::RendererMode::Hybrid, {1e6});
+}
+
+TEST(FarWorld, LooksTheSameTracedUpToFourThousandKilometres) {
+  expect_same(frame::RendererMode::Raytrace, {1e3, 1e6, 4e6});
+}
+
+// The camera alone so far away, as by a wrong pose: the scene is smaller than a pixel.
+TEST(FarWorld, ANearSceneIsNotSeenFromFarAway) {
+  for (const auto mode : {frame::RendererMode::Hybrid, frame::RendererMode::Raytrace}) {
+    frame::RendererSettings settings;
+    settings.mode = mode;
+    ParityCase far = make_everything_case();
+    for (common::MarkerPose& pose : far.poses) pose.translation = {0.0, 0.0, 9e6};
+    const auto rendering = render(far, settings);
+    EXPECT_EQ(rendering.statistics.nonfinite, 0u);
+    EXPECT_TRUE(
+        test_support::images_are_same("camera image", rendering.composite, far.camera_image));
   }
 }
 

@@ -110,7 +110,22 @@ TEST(Rays, MeetABoxFromFiveMillionTimesItsSize) {
   for (const float far : {1e1f, 1e3f, 1e5f, 1e6f, 1e7f}) EXPECT_EQ(hits_from(far), 1000) << far;
   // Beyond: a float's last digit in the direction is wider than the box.
   EXPECT_LT(hits_from(1e8f), 500);
-  EXPECT_EQ(hits_from(1e12f), 0) << "not a ray any more";
+  EXPECT_EQ(hits_from(1e11f), 0);
+}
+
+// A wall as wide as the distance is still met, until the ray's numbers are none that Embree takes.
+TEST(Rays, AreRaysUpToATrillionMetres) {
+  scene::Scene scene;
+  add_object(scene, test_support::make_floor(0.0f, 1e13f), test_support::make_mirror(),
+             scene::Role::Virtual);
+  EmbreeScene embree(scene);
+  embree.place(anchor_all(scene));
+  const auto meets_from = [&](float height) {
+    return embree.intersect({{1, height, 2}, {0, -1, 0}, kInfinity}, Visible::Everything)
+        .has_value();
+  };
+  for (const float height : {1.0f, 1e6f, 0.9e12f}) EXPECT_TRUE(meets_from(height)) << height;
+  for (const float height : {1.1e12f, 1e20f, 3e38f}) EXPECT_FALSE(meets_from(height)) << height;
 }
 
 }  // namespace

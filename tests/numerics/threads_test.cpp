@@ -1,7 +1,6 @@
 // numerics B25: the same bits for any number of threads, in everything that a frame computes, and
 // from one frame to the next.
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -12,6 +11,7 @@
 #include <thread>
 
 #include "numerics/isa.h"
+#include "numerics/many_workers.h"
 #include "parity/everything_case.h"
 #include "parity/rendering.h"
 
@@ -46,14 +46,8 @@ frame::RendererSettings settings_of(frame::RendererMode mode, int threads) {
   return settings;
 }
 
-// TBB starts no more workers than there are cores, whatever an arena asks for.
-class ManyWorkers {
- private:
-  tbb::global_control allowed_{tbb::global_control::max_allowed_parallelism, 64};
-};
-
 TEST(Threads, ManyMoreThanCoresDoRun) {
-  const ManyWorkers many;
+  const test_support::ManyWorkers many;
   tbb::task_arena arena(16);
   std::atomic<int> inside = 0, most = 0;
   arena.execute([&] {
@@ -72,7 +66,7 @@ TEST(Threads, ManyMoreThanCoresDoRun) {
 }
 
 void expect_same_bits(frame::RendererMode mode, std::initializer_list<int> numbers) {
-  const ManyWorkers many;
+  const test_support::ManyWorkers many;
   const ParityCase everything = make_everything_case();
   const auto one = hashes(render(everything, settings_of(mode, 1)));
   EXPECT_TRUE(one.contains("over") && one.contains("difference") && one.contains("mixed"));
@@ -90,6 +84,7 @@ TEST(Threads, AnyNumberGivesTheSameBitsWhenAllIsTraced) {
 }
 
 TEST(Threads, EveryInstructionSetIsDeterministic) {
+  const test_support::ManyWorkers many;
   const ParityCase everything = make_everything_case();
   for (const std::string& isa : trace::usable_isas()) {
     const test_support::ChosenIsa chosen(isa);

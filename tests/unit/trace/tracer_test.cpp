@@ -1,6 +1,7 @@
 #include "trace/tracer.h"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
 #include <cmath>
@@ -243,6 +244,8 @@ TEST(Tracer, NothingVirtualMeansNoDifference) {
 
 // numerics B25: the same bits with any number of threads.
 TEST(Tracer, ImagesDoNotDependOnThreads) {
+  // TBB would start no more workers than there are cores.
+  const tbb::global_control workers(tbb::global_control::max_allowed_parallelism, 16);
   const scene::Environment environment = constant_environment(0.5f);
   scene::Scene scene;
   add_object(scene, test_support::make_sphere(glm::vec3(0.0f), 0.5f), test_support::make_glass(),
