@@ -6,7 +6,7 @@ namespace amalgam::report {
 namespace {
 
 // Pixels. Letters differ in width; this is more than most have.
-constexpr double kLetterWidth = 6.2, kHeight = 12.0;
+constexpr double kLetterWidth = 6.9, kHeight = 12.0;
 constexpr double kPointRadius = 4.0;
 
 struct Box {

@@ -26,7 +26,7 @@ Html laws_section(const std::vector<Law>& laws) {
   return element("h2", "Expected slopes") +
          paragraph(
              "The error here is the one to the same setting with the knob at its limit, with every "
-             "pixel traced, so that other errors do not hide the law. Points below 4e-5 are left "
+             "pixel traced, so that other errors do not hide the law. Points below 1e-6 are left "
              "out: there the two renderers' arithmetic differs. A slope passes within 10 % of what "
              "is "
              "expected.") +

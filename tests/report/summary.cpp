@@ -46,6 +46,7 @@ PointSummary summarise_point(const Rows& rows) {
   point.point = first.point;
   point.reference = first.reference;
   point.settings = settings_of(first);
+  point.jpeg_quality = first.jpeg_quality;
   point.value = first.value;
   point.runs = rows.size();
   const std::vector<double> times = values(rows, &RunRow::time_ms);
@@ -74,18 +75,33 @@ PointSummary summarise_point(const Rows& rows) {
   return point;
 }
 
-// Of points that may be compared, all different.
-void compare(const std::vector<PointSummary*>& group) {
+// Points that may be compared, all different.
+struct Group {
+  std::vector<PointSummary*> points;
   std::vector<Cost> costs;
-  for (const PointSummary* point : group) costs.push_back({point->time_min, point->mae});
+
+  void add(PointSummary& point) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (points[i]->settings != point.settings) continue;
+      costs[i].time = std::min(costs[i].time, point.time_min);
+      return;
+    }
+    points.push_back(&point);
+    costs.push_back({point.time_min, point.mae});
+  }
+};
+
+void compare(const Group& group) {
+  const std::vector<PointSummary*>& points = group.points;
+  const std::vector<Cost>& costs = group.costs;
   const std::vector<bool> flags = pareto_flags(costs);
-  for (std::size_t i = 0; i < group.size(); ++i) {
-    group[i]->pareto = flags[i];
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i]->pareto = flags[i];
     if (const auto partner = equal_time_partner(costs, i)) {
-      group[i]->equal_time = full_name(*group[*partner]);
+      points[i]->equal_time = full_name(*points[*partner]);
     }
     if (const auto partner = equal_error_partner(costs, i)) {
-      group[i]->equal_error = full_name(*group[*partner]);
+      points[i]->equal_error = full_name(*points[*partner]);
     }
   }
 }
@@ -106,13 +122,9 @@ std::vector<PointSummary> summarise(const std::vector<RunRow>& rows) {
   }
   std::vector<PointSummary> points;
   for (const std::string& key : order) points.push_back(summarise_point(by_point[key]));
-  std::map<std::string, std::vector<PointSummary*>> groups;
+  std::map<std::string, Group> groups;
   for (PointSummary& point : points) {
-    auto& group = groups[csv_line({point.scene, point.reference})];
-    const bool repeated = std::any_of(group.begin(), group.end(), [&](const PointSummary* other) {
-      return other->settings == point.settings;
-    });
-    if (!repeated) group.push_back(&point);
+    if (point.jpeg_quality == 0) groups[csv_line({point.scene, point.reference})].add(point);
   }
   for (const auto& [key, group] : groups) compare(group);
   return points;

@@ -18,6 +18,7 @@ struct PointSummary {
   std::string scene, sweep, point, reference;
   std::string settings;  // all that the picture before JPEG depends on; equal ones render alike
   double value = RunRow::kNone;
+  std::uint64_t jpeg_quality = 0;  // 0: patched
   std::size_t runs = 0;
   double time_min = 0.0, time_median = 0.0, time_p5 = 0.0, time_p95 = 0.0;  // milliseconds
   // Means over the places that the camera looks from, each counted once: runs from the same place
@@ -31,7 +32,8 @@ struct PointSummary {
   double efficiency = 0.0;  // 1 / (MSE t), t the least time in seconds
   bool at_floor = false;
   // Among the points of the scene that are compared with the same reference. A setting that several
-  // sweeps have takes part once, where it comes first: their times differ by chance.
+  // sweeps have takes part once, where it comes first, with the least time of all: their times
+  // differ by chance. Qualities of JPEG take no part: they change nothing before JPEG.
   bool pareto = false;
   std::string equal_time, equal_error;  // "sweep point" of the partner; empty: none is better
   std::optional<double> slope;          // of the sweep's law, see laws.h
