@@ -1,4 +1,5 @@
-// Whether pictures have the same bits for any number of threads (numerics B25).
+// Whether pictures have the same bits for any number of threads and any instruction set of Embree
+// (numerics B11, B25).
 #pragma once
 
 #include <string>
@@ -11,14 +12,17 @@ namespace amalgam::report {
 
 struct LayersHash {
   std::string scene;
-  std::string what;  // "3 threads"
+  std::string what;  // "3 threads", "avx2"
   std::string hash;  // SHA-256 of the float layers
+  // To those of one thread: pixels with any difference, and the largest in any channel.
+  std::ptrdiff_t differing_pixels = 0;
+  double largest_difference = 0.0;
 };
 
 // Of the buffers "over" and "difference".
 std::string layers_hash(const frame::FrameBuffers& buffers);
 
-// With 1, 2, 3 and 16 threads. Instruction sets join here once the renderer can be told which.
+// With 1, 2, 3 and 16 threads, and with each instruction set that this processor has.
 std::vector<LayersHash> measure_determinism(const std::string& scene_name,
                                             const bench::BenchCase& bench_case);
 

@@ -15,6 +15,7 @@
 #include "report/scene_meter.h"
 #include "report/sweeps.h"
 #include "report/whole_file.h"
+#include "trace/embree_isa.h"
 
 namespace amalgam::report {
 namespace {
@@ -173,10 +174,13 @@ TEST_F(References, JitterHasItsParts) {
   EXPECT_GE(errors.together, 0.5 * std::max(errors.tracking, errors.jpeg));
 }
 
-TEST(Determinism, ThreadsDoNotShow) {
+// Four numbers of threads, and each instruction set.
+TEST(Determinism, ThreadsAndInstructionSetsDoNotShow) {
   const auto rows = measure_determinism("complex", small_case());
-  ASSERT_EQ(rows.size(), 4u);
+  ASSERT_EQ(rows.size(), 4u + trace::usable_isas().size());
+  EXPECT_EQ(rows.back().what, trace::usable_isas().back());
   EXPECT_TRUE(is_deterministic(rows));
+  for (const LayersHash& row : rows) EXPECT_EQ(row.differing_pixels, 0) << row.what;
 }
 
 TEST(Determinism, OneBitShows) {
@@ -186,13 +190,16 @@ TEST(Determinism, OneBitShows) {
   auto& difference = std::get<common::ImageRgb32f>(buffers["difference"]);
   difference.at(3, 3).b = 1e-45f;
   EXPECT_NE(layers_hash(buffers), before);
-  EXPECT_FALSE(is_deterministic({{"s", "1 thread", before}, {"s", "2 threads", "other"}}));
-  EXPECT_TRUE(is_deterministic({{"s", "1 thread", before}, {"t", "1 thread", "other"}}));
+  EXPECT_FALSE(
+      is_deterministic({{"s", "1 thread", before, 0, 0.0}, {"s", "2 threads", "other", 1, 1e-45}}));
+  EXPECT_TRUE(
+      is_deterministic({{"s", "1 thread", before, 0, 0.0}, {"t", "1 thread", "other", 0, 0.0}}));
 }
 
 TEST_F(References, RunsHaveThePlacesInTurn) {
   ReferenceStore references = store();
-  SceneMeter meter("complex", small_case(), references, 1.0, {.runs = 3, .places = 2});
+  SceneMeter meter({.name = "complex", .load = {}, .move = moved_by}, small_case(), references, 1.0,
+                   {.runs = 3, .places = 2});
   SweepPoint point;
   point.sweep = "samples";
   point.label = "1";

@@ -47,7 +47,7 @@ void check_names(const char* option, const std::vector<std::string>& names,
 
 std::vector<std::string> scene_names(const std::string& folder) {
   std::vector<std::string> names;
-  for (const ReportScene& scene : report_scenes(folder)) names.push_back(scene.name);
+  for (const ReportScene& scene : report_scenes(folder, false)) names.push_back(scene.name);
   return names;
 }
 

@@ -71,14 +71,15 @@ class Report {
   }
 
   void load_scenes() {
-    for (ReportScene& scene : report_scenes(options_.scenes)) {
+    for (ReportScene& scene :
+         report_scenes(options_.scenes, options_.quick && options_.only.empty())) {
       if (!is_wanted(scene.name, options_.only)) continue;
       try {
         LoadedScene loaded;
         loaded.scene = scene;
         loaded.bench_case = scene.load(options_.size.x, options_.size.y);
         loaded.exposure = metered_exposure(loaded.bench_case);
-        if (options_.wants(kSweepPart)) loaded.points = wanted_points(loaded.exposure);
+        if (options_.wants(kSweepPart)) loaded.points = wanted_points(scene, loaded.exposure);
         scenes_.push_back(std::move(loaded));
       } catch (const bench::MissingScene& missing) {
         data_.notes.push_back(scene.name + " is skipped: " + missing.what());
@@ -87,9 +88,12 @@ class Report {
     if (scenes_.empty()) throw std::runtime_error("no scene is there: " + data_.notes.front());
   }
 
-  std::vector<SweepPoint> wanted_points(float exposure) const {
-    auto points =
-        make_sweeps({.quick = options_.quick, .threads = options_.threads, .exposure = exposure});
+  std::vector<SweepPoint> wanted_points(const ReportScene& scene, float exposure) const {
+    auto points = make_sweeps({.quick = options_.quick,
+                               .threads = options_.threads,
+                               .exposure = exposure,
+                               .stiff = scene.is_stiff,
+                               .bounce_reflectance = scene.bounce_reflectance});
     std::erase_if(
         points, [&](const SweepPoint& point) { return !is_wanted(point.sweep, options_.sweeps); });
     return points;
@@ -98,9 +102,9 @@ class Report {
   void measure(const LoadedScene& loaded) {
     const std::string& name = loaded.scene.name;
     const double exposure = static_cast<double>(loaded.exposure);
-    SceneMeter meter(name, loaded.bench_case, references_, exposure, options_.plan);
+    SceneMeter meter(loaded.scene, loaded.bench_case, references_, exposure, options_.plan);
     for (const SweepPoint& point : loaded.points) measure(name, meter, point);
-    if (options_.wants(kJitterPart)) {
+    if (options_.wants(kJitterPart) && !loaded.scene.is_stiff) {
       say(name + ": camera jitter");
       const auto spec = best_reference(options_.quick ? quick_quality() : full_quality());
       data_.jitter.push_back(measure_jitter(name, loaded.bench_case, references_, exposure, spec,

@@ -64,9 +64,10 @@ void set_costs(RunRow& row, const frame::FrameOutput& output) {
 
 }  // namespace
 
-SceneMeter::SceneMeter(std::string scene_name, bench::BenchCase bench_case,
+SceneMeter::SceneMeter(const ReportScene& scene, bench::BenchCase bench_case,
                        ReferenceStore& references, double exposure, const RunPlan& plan)
-    : scene_name_(std::move(scene_name)),
+    : scene_name_(scene.name),
+      move_(scene.move),
       case_(std::move(bench_case)),
       references_(references),
       exposure_(exposure),
@@ -114,6 +115,8 @@ RunRow SceneMeter::measure(const SweepPoint& point, int run) {
   row.psnr = figures.psnr;
   row.maximum = figures.maximum;
   row.nonfinite = figures.nonfinite + output.statistics.nonfinite;
+  row.truncation_bound_mean = output.statistics.truncation_bound.mean;
+  row.truncation_bound_worst = output.statistics.truncation_bound.worst;
   row.limit_mae = measured.limit_mae;
   row.floor_mae = measured.floor_mae;
   row.jpeg_mae = measured.jpeg_mae;
@@ -131,7 +134,7 @@ SceneMeter::Pictures SceneMeter::pictures(const SweepPoint& point) {
 const bench::BenchCase& SceneMeter::place(int index) {
   const auto found = places_.find(index);
   if (found != places_.end()) return found->second;
-  return places_.emplace(index, moved_by(case_, sub_pixel_offset(index))).first->second;
+  return places_.emplace(index, move_(case_, sub_pixel_offset(index))).first->second;
 }
 
 bench::RenderRig& SceneMeter::renderer(const SweepPoint& point, int index) {

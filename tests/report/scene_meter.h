@@ -24,8 +24,7 @@ struct RunPlan {
 
 class SceneMeter {
  public:
-  // scene_name: as rows have it.
-  SceneMeter(std::string scene_name, bench::BenchCase bench_case, ReferenceStore& references,
+  SceneMeter(const ReportScene& scene, bench::BenchCase bench_case, ReferenceStore& references,
              double exposure, const RunPlan& plan);
 
   // A run's row before anything is measured: where it is, what it is of, and which run.
@@ -62,6 +61,7 @@ class SceneMeter {
   const Errors& errors(const SweepPoint& point, int index);
 
   std::string scene_name_;
+  decltype(ReportScene::move) move_;
   bench::BenchCase case_;
   ReferenceStore& references_;
   double exposure_;

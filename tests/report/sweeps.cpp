@@ -35,9 +35,21 @@ class Sweeps {
     base_ = bench::default_settings();
     base_.exposure = options.exposure;
     if (options.threads > 0) base_.threads = options.threads;
+    stiff_ = options.stiff;
+    reflectance_ = options.bounce_reflectance;
   }
 
   std::vector<SweepPoint> all() {
+    if (reflectance_) {
+      depth_between_mirrors(*reflectance_);
+      cutoff_between_mirrors(*reflectance_);
+      return std::move(points_);
+    }
+    if (stiff_) {
+      depth();
+      cutoff();
+      return std::move(points_);
+    }
     samples();
     adaptive();
     depth();
@@ -97,6 +109,41 @@ class Sweeps {
       point.limit = same_as(settings);
       point.limit->max_depth = quality_.max_depth;
     }
+  }
+
+  // Depths at which the error has fallen to these shares. They are even, so that all rays are cut
+  // off looking the same way.
+  void depth_between_mirrors(double r) {
+    for (const double share : {0.5, 0.3, 0.15, 0.08, 0.04}) {
+      const int depth = 2 * static_cast<int>(std::ceil(0.5 * std::log(share) / std::log(r)));
+      Settings settings = base_;
+      settings.trace.max_depth = depth;
+      settings.trace.importance_cutoff = static_cast<float>(quality_.limit_cutoff);
+      add_between_mirrors("depth", std::to_string(depth), depth, settings);
+    }
+  }
+
+  // Cut-offs between the weights of two bounces, so that rounding does not decide.
+  void cutoff_between_mirrors(double r) {
+    for (const double share : {0.3, 0.15, 0.08, 0.04, 0.02}) {
+      const double bounces = 2.0 * std::ceil(0.5 * std::log(share) / std::log(r)) + 0.5;
+      Settings settings = base_;
+      settings.trace.max_depth = kDeepest;
+      settings.trace.importance_cutoff = static_cast<float>(std::pow(r, bounces));
+      const auto cutoff = static_cast<double>(settings.trace.importance_cutoff);
+      add_between_mirrors("cut-off", frame::exact_text(settings.trace.importance_cutoff), cutoff,
+                          settings);
+    }
+  }
+
+  void add_between_mirrors(const char* sweep, const std::string& label, double value,
+                           const Settings& settings) {
+    SweepPoint& point = add(sweep, label, value, settings);
+    // One ray tells as much as many: all that matters is how far it is followed.
+    point.reference = same_as(settings);
+    point.reference.max_depth = kDeepest;
+    point.reference.importance_cutoff = quality_.limit_cutoff;
+    point.limit = point.reference;
   }
 
   void cutoff() {
@@ -182,7 +229,11 @@ class Sweeps {
     add("joint", "best", kNoNumber, settings);
   }
 
+  static constexpr int kDeepest = 10'000;  // no ray gets there
+
   bool quick_;
+  bool stiff_ = false;
+  std::optional<double> reflectance_;
   ReferenceQuality quality_;
   Settings base_;
   std::vector<SweepPoint> points_;

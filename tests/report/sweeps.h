@@ -2,6 +2,7 @@
 // knobs together.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,10 @@ struct SweepOptions {
   bool quick = false;
   int threads = 0;  // 0: the bench's default
   float exposure = 1.0f;
+  // For stiff scenes: only the sweeps of depth and cut-off.
+  bool stiff = false;
+  // ReportScene::bounce_reflectance: depths and cut-offs are then chosen by it.
+  std::optional<double> bounce_reflectance{};
 };
 
 // In the order of their sweeps. Each sweep has the default among its points.

@@ -119,5 +119,35 @@ TEST(Places, FillThePixelEvenly) {
   }
 }
 
+// Between mirrors the error after D bounces is r^D of the first one: depths and cut-offs for
+// shares of it, and what is compared with follows rays to the end.
+TEST_P(EachKind, MirrorsThatFaceEachOtherAreFollowedByTheirReflectance) {
+  for (const double r : {0.5, 0.9, 0.99}) {
+    for (const SweepPoint& point : make_sweeps(
+             {.quick = GetParam(), .exposure = 1.0f, .stiff = true, .bounce_reflectance = r})) {
+      if (point.sweep == "depth") {
+        EXPECT_EQ(point.settings.trace.max_depth % 2, 0);
+        const double share = std::pow(r, point.settings.trace.max_depth);
+        EXPECT_LT(share, 0.51) << r;
+        EXPECT_GT(share, 0.04 * r * r * 0.99) << r;
+      } else {
+        EXPECT_EQ(point.sweep, "cut-off");
+        EXPECT_GE(point.settings.trace.max_depth, std::log(1e-4) / std::log(r));
+      }
+      EXPECT_NO_THROW(frame::check_settings(point.settings));
+      EXPECT_GE(point.limit.value().max_depth, std::log(1e-6) / std::log(r));
+    }
+  }
+}
+
+TEST_P(EachKind, OtherStiffScenesHaveTwoSweeps) {
+  std::set<std::string> names;
+  for (const SweepPoint& point :
+       make_sweeps({.quick = GetParam(), .exposure = 1.0f, .stiff = true})) {
+    names.insert(point.sweep);
+  }
+  EXPECT_EQ(names, (std::set<std::string>{"cut-off", "depth"}));
+}
+
 }  // namespace
 }  // namespace amalgam::report
