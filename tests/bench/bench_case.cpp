@@ -10,7 +10,6 @@
 namespace amalgam::bench {
 namespace {
 
-constexpr int kCameraJpegQuality = 90;
 constexpr int kMarker = 40;  // of all scenes of the bench, and of the synthetic desk
 
 // Making the desk takes some tenths of a second, and all cases show the same.

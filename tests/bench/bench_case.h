@@ -27,6 +27,8 @@ struct BenchCase {
   frame::FrameInput input;     // the synthetic desk as a JPEG, and the pose that it is seen from
 };
 
+inline constexpr int kCameraJpegQuality = 90;  // of the cases' pictures, 1..100
+
 // The pose that bunnies are seen from: they cover 12 to 13 % of the picture.
 common::MarkerPose bunny_pose();
 

@@ -26,9 +26,9 @@ bench::BenchCase load_stiff(const StiffScene& stiff, const std::filesystem::path
   }
   result.scene = scene::load_scene(file);
   result.camera = stiff.camera(width / 2, height / 2);
-  result.input = {
-      codec::encode_jpeg(parity::make_camera_image(width / 2, height / 2), kCameraJpegQuality),
-      {stiff.pose}};
+  result.input = {codec::encode_jpeg(parity::make_camera_image(width / 2, height / 2),
+                                     bench::kCameraJpegQuality),
+                  {stiff.pose}};
   return result;
 }
 
@@ -59,7 +59,6 @@ std::vector<ReportScene> report_scenes(const std::filesystem::path& folder, bool
       {.name = "glassware",
        .load = [desk](int w, int h) { return desk->on_desk("glassware", "glassware.gltf", w, h); }},
   };
-  for (ReportScene& scene : scenes) scene.move = moved_by;
   for (const StiffScene& stiff : test_support::stiff_scenes()) {
     if (!is_wanted(stiff, quick)) continue;
     const std::filesystem::path file =

@@ -9,6 +9,7 @@
 #include "bench/render_rig.h"
 #include "report/picture_figures.h"
 #include "report/reference_store.h"
+#include "report/report_scene.h"
 #include "report/run_row.h"
 #include "report/sweep_point.h"
 
