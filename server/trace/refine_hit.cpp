@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <optional>
 
+#include "trace/surface_point.h"
+
 namespace amalgam::trace {
 namespace {
 
@@ -52,13 +54,17 @@ Hit in_plane_of(const EmbreeScene& scene, const Hit& hit, const glm::dvec3& star
 
 namespace {
 
-// Traces again from just before the hit, where float is finer and no offset is needed.
+// Traces again from just before the hit, where float is finer and no offset is needed. The ray was
+// offset from its line, so it may have passed the triangle that the line meets by a few offsets: in
+// a corner, by more than a thousandth of a short way.
 std::optional<Hit> look_again(const EmbreeScene& scene, const Hit& near, const glm::dvec3& start,
                               const glm::dvec3& direction, Visible visible) {
-  constexpr double kBack = 1e-3;
-  const double t = near.t * (1.0 - kBack);
+  constexpr double kBack = 1e-3, kOffsets = 16.0;
+  const double back =
+      std::min(std::max(kBack * near.t, kOffsets * offset_at(scene, near)), 0.5 * near.t);
+  const double t = near.t - back;
   const Ray ray{glm::vec3(start + t * direction), glm::vec3(direction),
-                static_cast<float>(2.0 * kBack * near.t)};
+                static_cast<float>(2.0 * back)};
   const auto met = scene.intersect(ray, visible);
   if (!met) return std::nullopt;
   return in_plane_of(scene, *met, start, direction);
@@ -82,11 +88,12 @@ Hit nearest_edge(const EmbreeScene& scene, Hit hit, const glm::dvec3& start,
 Hit refine_hit(const EmbreeScene& scene, const Hit& traced, const glm::dvec3& start,
                const glm::dvec3& direction, Visible visible) {
   const Hit hit = in_plane_of(scene, traced, start, direction);
-  constexpr double kFar = 0.01;
-  if (!is_finite(hit) || !(hit.t > 0.0) || beside(hit) >= kFar) return traced;
+  if (!is_finite(hit) || !(hit.t > 0.0)) return traced;
   if (beside(hit) <= 0.0) return hit;
   const auto other = look_again(scene, hit, start, direction, visible);
   if (other && beside(*other) <= 0.0 && other->t > 0.0) return *other;
+  constexpr double kFar = 0.01;
+  if (beside(hit) >= kFar) return traced;
   return nearest_edge(scene, hit, start, direction);
 }
 

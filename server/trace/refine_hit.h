@@ -16,9 +16,9 @@ Hit in_plane_of(const EmbreeScene& scene, const Hit& hit, const glm::dvec3& star
                 const glm::dvec3& direction);
 
 // The hit of the line from start, with barycentric coordinates and t (from start) in double. It
-// lies in the traced triangle, or in the visible neighbour if the line misses that triangle. If the
-// line misses both, the hit lies on the nearest point of the edge. If the triangle is seen edge-on
-// or missed by far, the traced hit is returned unchanged.
+// lies in the traced triangle, or in the one that the line meets instead. If it meets none, the hit
+// lies on the nearest point of the edge. If the triangle is seen edge-on, or missed by far and there
+// is no other, the traced hit is returned unchanged.
 //
 // traced.t is from start too, with float's error.
 Hit refine_hit(const EmbreeScene& scene, const Hit& traced, const glm::dvec3& start,

@@ -74,6 +74,15 @@ scene::PhongTerms phong_terms_at(const SurfacePoint& point, scene::MaterialKind 
   return scene::phong_terms(color, point.metallic, point.roughness);
 }
 
+double offset_at(const EmbreeScene& scene, const Hit& hit) {
+  double corner = 0.0;
+  for (const glm::vec3& p : scene.triangle(hit).corners) {
+    corner = std::max(corner, largest(glm::dvec3(p)));
+  }
+  const PlacedInstance& placed = scene.placed(hit.instance);
+  return offset_height(placed.stretch * corner + placed.reach);
+}
+
 SurfacePoint surface_point(const EmbreeScene& scene, const Hit& hit, const glm::dvec3& direction,
                            double cone_width) {
   const PlacedInstance& placed = scene.placed(hit.instance);
@@ -82,8 +91,7 @@ SurfacePoint surface_point(const EmbreeScene& scene, const Hit& hit, const glm::
   const glm::dvec3 edge_u = b - a, edge_v = c - a;
 
   SurfacePoint point;
-  const double corner = std::max({largest(a), largest(b), largest(c)});
-  point.offset = offset_height(placed.stretch * corner + placed.reach);
+  point.offset = offset_at(scene, hit);
   const double size = placed.stretch * std::max(largest(edge_u), largest(edge_v));
   const double rounding = point.offset / (kOffsetUnits * std::max(size, 1e-30));
   const glm::dvec2& at = hit.barycentric;

@@ -36,6 +36,9 @@ struct SurfacePoint {
   bool front = true;  // the ray came from the outer side (counter-clockwise corners)
 };
 
+// SurfacePoint::offset of a hit.
+double offset_at(const EmbreeScene& scene, const Hit& hit);
+
 // direction: the ray's, unit. cone_width: width of the ray's cone at the hit, metres, for the
 // textures' level of detail (scene/texture_lookup.h); 0: the finest.
 SurfacePoint surface_point(const EmbreeScene& scene, const Hit& hit, const glm::dvec3& direction,

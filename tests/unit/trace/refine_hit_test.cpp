@@ -153,6 +153,26 @@ TEST_F(RefineHit, PassesIntoTheNeighbour) {
   EXPECT_NEAR(hit.t, 2.0, 1e-12);
 }
 
+// Two small triangles meet in a corner, at a distance from the origin at which rays are offset by
+// more than a thousandth of the way. The line meets the flat one just before the corner; the traced
+// ray, a little beside it, passed that and met the steep one.
+TEST_F(RefineHit, FindsTheTriangleBeforeACorner) {
+  constexpr float kSide = 1e-3f;
+  const glm::vec3 corner(0.1f);
+  place({corner, corner + glm::vec3(0, kSide, 0), corner + glm::vec3(-kSide, 0, kSide)});
+  scene_.meshes[0].positions.push_back(corner + glm::vec3(kSide, 0, 0));
+  scene_.meshes[0].normals.emplace_back(0, 0, 1);
+  scene_.meshes[0].triangles.emplace_back(0, 3, 1);
+  embree_.emplace(scene_);
+  embree_->place(anchor_all(scene_));
+  const glm::dvec3 met = glm::dvec3(corner) + glm::dvec3(2e-6, 0.3 * double{kSide}, 0.0);
+  const glm::dvec3 direction = glm::normalize(glm::dvec3(-1.0, 0.0, -0.3));
+  const Hit hit = on_line(met - 3e-4 * direction, direction, {0.3, 0.001}, 3e-4);
+  EXPECT_EQ(hit.triangle, 1u);
+  EXPECT_NEAR(hit.t, 3e-4, 1e-9);
+  EXPECT_NEAR(hit.barycentric.x, 2e-6 / double{kSide}, 1e-4);
+}
+
 // Otherwise what was traced stays, to the bit: the line misses, is parallel to the plane, lies in
 // it, or would meet it behind its start.
 TEST_F(RefineHit, KeepsTheTracedHitWhereTheLineHasNone) {
