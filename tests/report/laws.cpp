@@ -31,7 +31,11 @@ std::optional<Law> expected_law(const std::string& scene, const std::string& swe
   if (sweep == "samples") {
     return law("power of the number of samples", "-0.75 to -0.5", -0.75, -0.5);
   }
-  if (sweep == "cut-off") return law("power of the cut-off", "1", 1.0, 1.0);
+  // Between facing mirrors the error is in proportion to the cut-off. Elsewhere rays branch, with
+  // few different weights, and no such law is known.
+  if (sweep == "cut-off" && reflectances.contains(scene)) {
+    return law("power of the cut-off", "1", 1.0, 1.0);
+  }
   if (sweep == "lights") {
     return law("power of the number of lights", "below 0", -kInfinity, 0.0);
   }
