@@ -26,7 +26,7 @@ std::uint64_t setting(const char* name, std::uint64_t otherwise) {
 // One pixel in 30,000 is decided otherwise and is not among those that the reference calls grazing:
 // shadow rays run in float, and rays begin a little above their surface.
 constexpr std::size_t kMostWrongOfACase = 3;
-constexpr double kMostWrongOfAll = 1e-4;  // of the pixels of a batch of 100 cases or more
+constexpr double kMostWrongOfAll = 5e-5;  // of the pixels of a batch of 100 cases or more
 // The rasteriser's depth knows one point a pixel, so that look-ups past things smaller than that
 // may see what is hidden; shadow maps have texels.
 constexpr double kMostLookUpsWrong = 0.02, kMostCompositeWrong = 0.03;
