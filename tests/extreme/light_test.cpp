@@ -151,14 +151,15 @@ TEST(ExtremeLamp, AsFarAsNumbersGoIsASun) {
   light.anchor_from_light = glm::mat4(glm::mat3(glm::dmat3(
       common::rigid_inverse(test_support::look_at(glm::dvec3(to_light), glm::dvec3(0.0))) *
       glm::dmat4(1, 0, 0, 0, 0, -1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1))));
-  const test_support::Tolerance same = {1.0, 0.02, "1/255: rounding to bytes", 20};
-  for (const auto mode : {frame::RendererMode::Raytrace, frame::RendererMode::Hybrid}) {
-    const parity::Rendering actual = render(lamp, mode), expected = render(sun, mode);
-    EXPECT_EQ(actual.statistics.nonfinite, 0u);
-    EXPECT_TRUE(test_support::images_agree("sun", test_support::as_floats(actual.composite),
-                                           test_support::as_floats(expected.composite), same))
-        << parity::mode_name(mode);
-  }
+  const test_support::Tolerance same = {1.0, 0.01, "1/255: rounding to bytes", 2};
+  const parity::Rendering actual = render(lamp, frame::RendererMode::Raytrace);
+  const parity::Rendering expected = render(sun, frame::RendererMode::Raytrace);
+  EXPECT_EQ(actual.statistics.nonfinite, 0u);
+  EXPECT_TRUE(test_support::images_agree("sun", test_support::as_floats(actual.composite),
+                                         test_support::as_floats(expected.composite), same));
+  // Rasterised, only finite: a lamp's shadow map covers a sixth of all directions, so that from a
+  // hundred desks away the whole desk is less than a texel of it.
+  EXPECT_EQ(render(lamp, frame::RendererMode::Hybrid).statistics.nonfinite, 0u);
 }
 
 }  // namespace
