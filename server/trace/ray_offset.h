@@ -34,10 +34,7 @@ inline glm::dvec3 offset_from_surface(const glm::dvec3& p, const glm::dvec3& nor
 // The point on the ray at that height above the surface.
 inline glm::dvec3 offset_along_ray(const glm::dvec3& p, const glm::dvec3& normal,
                                    const glm::dvec3& direction, double height) {
-  // Flatter rays count as this flat. They may then meet their surface again, which matters little
-  // because it is lit at less than a hundredth. With a lower limit they start beyond other
-  // surfaces: inside curved glass, behind the next facet.
-  constexpr double kMostGrazing = 1e-2;
+  constexpr double kMostGrazing = 1e-3;  // flatter rays count as this flat
   return p + direction * (height / glm::max(glm::abs(glm::dot(normal, direction)), kMostGrazing));
 }
 

@@ -65,20 +65,6 @@ TEST(RayOffset, LeavesToTheSideOfTheRay) {
   }
 }
 
-// Along a flat ray the way to the same height is long. It ends after a hundred heights, so that
-// shadow rays do not begin beyond what is near.
-TEST(RayOffset, AlongAFlatRayItGoesNoFurtherThanAHundredHeights) {
-  constexpr double kHeight = 1e-5;
-  const glm::dvec3 up(0.0, 1.0, 0.0);
-  const auto way = [&](double cosine) {
-    const glm::dvec3 direction(std::sqrt(1.0 - cosine * cosine), cosine, 0.0);
-    return glm::length(offset_along_ray(glm::dvec3(0.0), up, direction, kHeight)) / kHeight;
-  };
-  EXPECT_NEAR(way(0.5), 2.0, 1e-9);
-  EXPECT_NEAR(way(0.02), 50.0, 1e-9);
-  EXPECT_NEAR(way(1e-4), 100.0, 1e-9);
-}
-
 // numerics B2: the gap between two plates is seen from 4e-5 on at 1 m from the origin, and from
 // 2e-2 on at 1 km.
 TEST(RayOffset, SeesGapsDownToItsResolution) {
