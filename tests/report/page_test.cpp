@@ -179,12 +179,12 @@ TEST(Page, IsOneFileWithoutNetwork) {
   data.worst = {{"a <scene>", "samples 1", 0.1, common::ImageRgb32f(4, 4, glm::vec3(0.5f)),
                  common::ImageRgb32f(4, 4, glm::vec3(0.4f))}};
   data.jitter = {{.scene = "a <scene>", .draws = 5}};
-  data.hashes = {{"a <scene>", "1 thread", "0123"}, {"a <scene>", "2 threads", "4567"}};
+  data.hashes = {{"a <scene>", "1 thread", "0123", 0, 0.0}, {"a <scene>", "avx2", "4567", 3, 0.25}};
   const std::string page = report_page(data);
   EXPECT_THAT(page, testing::StartsWith("<!DOCTYPE html>"));
   EXPECT_THAT(page, HasSubstr("a &lt;scene&gt;"));
   EXPECT_THAT(page, HasSubstr("&lt;commit&gt;"));
-  EXPECT_THAT(page, HasSubstr("differs"));
+  EXPECT_THAT(page, HasSubstr("3 pixels by up to 0.25"));
   EXPECT_THAT(page, Not(HasSubstr("<scene>")));
   EXPECT_THAT(page, Not(HasSubstr("<note>")));
   for (const char* outside : {"src=\"http", "href=\"", "@import", "url("}) {

@@ -22,7 +22,7 @@ constexpr const char* kFooter =
     "minutes. Charts need gnuplot (apt-get install gnuplot-nox), the bunnies "
     "deploy/fetch_assets.sh bunny.";
 
-constexpr glm::ivec2 kQuickSize{96, 72}, kFullSize{320, 240};
+constexpr glm::ivec2 kQuickSize{80, 60}, kFullSize{320, 240};
 constexpr RunPlan kQuickPlan{.runs = 4, .places = 2}, kFullPlan{.runs = 20, .places = 5};
 
 glm::ivec2 parse_size(const std::string& text) {
@@ -78,7 +78,7 @@ std::optional<ReportOptions> parse_report_options(int argc, char** argv) {
   app.add_option("--sweep", options.sweeps, "only this sweep, as samples; may be repeated");
   app.add_option("--part", options.parts,
                  "only this part: sweeps, jitter, determinism or table-6.1; may be repeated");
-  app.add_option("--size", size, "size of the pictures, pixels [320x240; quick: 96x72]");
+  app.add_option("--size", size, "size of the pictures, pixels [320x240; quick: 80x60]");
   app.add_option("--runs", runs, "runs of each setting, 1 to 1000 [20; quick: 4]")
       ->check(CLI::Range(1, 1000));
   app.add_option("--threads", options.threads, "rendering threads, 1 to 64 [one for each core]")

@@ -136,7 +136,7 @@ TEST_F(Program, HelpNamesUnitsAndDefaults) {
   ChildProcess process("amalgam-report", {"--help"});
   const std::string help = process.read_all(seconds(10));
   EXPECT_EQ(process.wait(seconds(10)), 0);
-  for (const char* words : {"pixels [320x240; quick: 96x72]", "1 to 1000 [20; quick: 4]",
+  for (const char* words : {"pixels [320x240; quick: 80x60]", "1 to 1000 [20; quick: 4]",
                             "milliseconds", "--references"}) {
     EXPECT_THAT(help, HasSubstr(words));
   }

@@ -65,7 +65,9 @@ void RunsFile::check_like(const RunRow& row) const {
     check(row.host_cpu, old.host_cpu, "processor");
     check(row.isa, old.isa, "instruction set");
     check(row.threads, old.threads, "number of threads");
-    check(std::pair(row.width, row.height), std::pair(old.width, old.height), "size");
+    if (row.scene == old.scene) {
+      check(std::pair(row.width, row.height), std::pair(old.width, old.height), "size");
+    }
     if (std::tie(row.scene, row.sweep, row.point) == std::tie(old.scene, old.sweep, old.point)) {
       check(row.reference, old.reference, "reference");
     }

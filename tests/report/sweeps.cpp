@@ -1,6 +1,8 @@
 #include "report/sweeps.h"
 
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 #include "bench/render_rig.h"
@@ -10,6 +12,8 @@ namespace amalgam::report {
 namespace {
 
 using Settings = frame::RendererSettings;
+
+constexpr std::array kSharesBetweenMirrors{0.1, 0.05, 0.025, 0.012, 0.006};
 
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
@@ -36,6 +40,8 @@ class Sweeps {
     base_.exposure = options.exposure;
     if (options.threads > 0) base_.threads = options.threads;
     stiff_ = options.stiff;
+    // All of what is stiff is traced anyway, and this needs no OpenGL context for each setting.
+    if (stiff_) base_.mode = frame::RendererMode::Raytrace;
     reflectance_ = options.bounce_reflectance;
   }
 
@@ -111,10 +117,10 @@ class Sweeps {
     }
   }
 
-  // Depths at which the error has fallen to these shares. They are even, so that all rays are cut
-  // off looking the same way.
+  // Depths at which the error has fallen to these shares: so small that the tone curve is straight
+  // over it. They are even, so that all rays are cut off looking the same way.
   void depth_between_mirrors(double r) {
-    for (const double share : {0.5, 0.3, 0.15, 0.08, 0.04}) {
+    for (const double share : kSharesBetweenMirrors) {
       const int depth = 2 * static_cast<int>(std::ceil(0.5 * std::log(share) / std::log(r)));
       Settings settings = base_;
       settings.trace.max_depth = depth;
@@ -125,11 +131,14 @@ class Sweeps {
 
   // Cut-offs between the weights of two bounces, so that rounding does not decide.
   void cutoff_between_mirrors(double r) {
-    for (const double share : {0.3, 0.15, 0.08, 0.04, 0.02}) {
+    for (const double share : kSharesBetweenMirrors) {
       const double bounces = 2.0 * std::ceil(0.5 * std::log(share) / std::log(r)) + 0.5;
       Settings settings = base_;
       settings.trace.max_depth = kDeepest;
-      settings.trace.importance_cutoff = static_cast<float>(std::pow(r, bounces));
+      // Three digits, for labels that can be read.
+      char text[16];
+      std::snprintf(text, sizeof text, "%.3g", std::pow(r, bounces));
+      settings.trace.importance_cutoff = std::stof(text);
       const auto cutoff = static_cast<double>(settings.trace.importance_cutoff);
       add_between_mirrors("cut-off", frame::exact_text(settings.trace.importance_cutoff), cutoff,
                           settings);

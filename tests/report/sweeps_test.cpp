@@ -128,8 +128,8 @@ TEST_P(EachKind, MirrorsThatFaceEachOtherAreFollowedByTheirReflectance) {
       if (point.sweep == "depth") {
         EXPECT_EQ(point.settings.trace.max_depth % 2, 0);
         const double share = std::pow(r, point.settings.trace.max_depth);
-        EXPECT_LT(share, 0.51) << r;
-        EXPECT_GT(share, 0.04 * r * r * 0.99) << r;
+        EXPECT_LT(share, 0.101) << r;
+        EXPECT_GT(share, 0.006 * r * r * 0.99) << r;
       } else {
         EXPECT_EQ(point.sweep, "cut-off");
         EXPECT_GE(point.settings.trace.max_depth, std::log(1e-4) / std::log(r));
