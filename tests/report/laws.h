@@ -26,9 +26,9 @@ struct Law {
 };
 
 // Of all sweeps and scenes that have one: a power of the number of samples and of lights; and for
-// scenes that are mentioned in reflectances, which says what a mirror of theirs reflects, a power of
-// the cut-off and an exponential of the depth. The error is the one to the knob's limit. A sweep in which
-// fewer than three points have such an error has no law.
+// scenes that are mentioned in reflectances, which says what a mirror of theirs reflects, a power
+// of the cut-off and an exponential of the depth. The error is the one to the knob's limit. A sweep
+// in which fewer than three points have such an error has no law.
 std::vector<Law> find_laws(const std::vector<PointSummary>& points,
                            const std::map<std::string, double>& reflectances);
 

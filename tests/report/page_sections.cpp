@@ -55,6 +55,24 @@ Html jitter_section(const std::vector<JitterErrors>& jitter) {
              rows, 1);
 }
 
+Html bounds_section(const std::vector<BoundCheck>& bounds) {
+  if (bounds.empty()) return {};
+  std::vector<std::vector<Html>> rows;
+  for (const BoundCheck& check : bounds) {
+    rows.push_back({text(check.scene), text(std::to_string(check.settings)),
+                    text(std::to_string(check.held)), number(check.median_ratio),
+                    verdict(check.held == check.settings, "holds", "broken")});
+  }
+  return element("h2", "Truncation bound") +
+         paragraph(
+             "Each frame states how far cutting rays off by depth and cut-off may have moved it. "
+             "Here that is compared with how far it did, in the mean over the picture, for each "
+             "depth and cut-off. A single lamp makes the bound wide, because any ray that was cut "
+             "off might have met it; so do mirrors that shine themselves.") +
+         table({"scene", "settings", "within the bound", "bound / error, median", "verdict"}, rows,
+               1);
+}
+
 // A row a scene, with a column for each number of threads and instruction set.
 Html determinism_section(const std::vector<LayersHash>& hashes) {
   if (hashes.empty()) return {};

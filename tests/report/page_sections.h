@@ -8,6 +8,7 @@ namespace amalgam::report {
 
 // All are empty if there is nothing to show.
 Html laws_section(const std::vector<Law>& laws);
+Html bounds_section(const std::vector<BoundCheck>& bounds);
 Html jitter_section(const std::vector<JitterErrors>& rows);
 Html determinism_section(const std::vector<LayersHash>& rows);
 Html thesis_section(const std::vector<bench::ThesisResult>& rows);

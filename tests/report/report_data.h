@@ -6,6 +6,7 @@
 
 #include "bench/thesis_result.h"
 #include "common/image.h"
+#include "report/bound_check.h"
 #include "report/determinism.h"
 #include "report/jitter.h"
 #include "report/laws.h"
@@ -25,6 +26,7 @@ struct ReportData {
   RunRow host;          // commit, processor, threads, size: what all rows share
   std::vector<PointSummary> points;
   std::vector<Law> laws;
+  std::vector<BoundCheck> bounds;
   std::vector<JitterErrors> jitter;
   std::vector<LayersHash> hashes;
   std::vector<bench::ThesisResult> table;

@@ -125,9 +125,9 @@ std::string report_page(const ReportData& data) {
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"};
   Html body = element("h1", title) + host_lines(data) + notes(data.notes) + method();
   body += charts(data);
-  body += jitter_section(data.jitter) + determinism_section(data.hashes) +
-          thesis_section(data.table) + worst_section(data.worst) + points_section(data.points) +
-          reference_words(data.points);
+  body += bounds_section(data.bounds) + jitter_section(data.jitter) +
+          determinism_section(data.hashes) + thesis_section(data.table) +
+          worst_section(data.worst) + points_section(data.points) + reference_words(data.points);
   return "<!DOCTYPE html>\n<html lang=\"en\">\n" +
          element("head", head + element("title", title) + element("style", Html{kPageStyle}))
              .markup +

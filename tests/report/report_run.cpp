@@ -184,6 +184,7 @@ class Report {
     }
     data_.laws = find_laws(data_.points, reflectances);
     set_slopes(data_.points, data_.laws);
+    data_.bounds = check_bounds(runs_.rows());
     if (!runs_.rows().empty()) data_.host = runs_.rows().front();
     say("writing");
     write_whole_file(output_ / "summary.csv", summary_csv(data_.points));

@@ -181,7 +181,7 @@ class Sweeps {
       point.limit = point.reference;
     };
     measure("sectors", kNoNumber, base_.env_lights);
-    for (const int count : levels<int>({2, 8, 32}, {1, 2, 4, 8, 16, 32, 64, 128})) {
+    for (const int count : levels<int>({2, 4, 16}, {1, 2, 4, 8, 16, 32, 64, 128})) {
       measure("median-cut:" + std::to_string(count), count,
               {scene::EnvLightOptions::Method::MedianCut, count});
     }
@@ -267,7 +267,7 @@ ReferenceQuality quick_quality() {
           .max_depth = 64,
           .importance_cutoff = 1e-3,
           .limit_cutoff = 1e-4,
-          .lights = 128};
+          .lights = 64};
 }
 
 ReferenceSpec best_reference(const ReferenceQuality& quality) {
