@@ -111,7 +111,7 @@ TEST(ReferenceLight, NothingPassesBelowTheSurface) {
 TEST(ReferenceLight, FallsOffWithDistanceRangeAndCone) {
   scene::Light light = make_point_light(glm::vec3(0.0f), glm::vec3(8.0f));
   EXPECT_NEAR(arriving_light(light, {0.0, 0.0, 2.0}).irradiance.r, 2.0, 1e-12);
-  EXPECT_NEAR(arriving_light(light, Vec3(0.0)).distance, 1e-4, 1e-15);
+  EXPECT_NEAR(arriving_light(light, Vec3(0.0)).distance, 1e-6, 1e-15);
   light.range = 4.0f;
   EXPECT_NEAR(arriving_light(light, {0.0, 0.0, 2.0}).irradiance.r, 2.0 * (1.0 - 1.0 / 16.0), 1e-12);
   EXPECT_EQ(arriving_light(light, {0.0, 0.0, 4.5}).irradiance.r, 0.0);
