@@ -25,7 +25,7 @@ float border_trust(const common::CameraModel& camera, const glm::dvec2& pixel) {
 
 // Whether a real surface occludes the segment. Alpha cut-outs do not.
 bool is_hidden(const EmbreeScene& scene, const glm::dvec3& start, const Ray& segment) {
-  if (!scene.is_occluded(segment, Visible::Real)) return false;  // the common case
+  if (!scene.is_occluded(start, segment, Visible::Real)) return false;  // the common case
   bool hidden = false;
   walk_visibility(scene, start, segment, Visible::Real, [&](const SurfacePoint& point, double) {
     const auto& cutoff = scene.scene().materials[point.material].alpha_cutoff;

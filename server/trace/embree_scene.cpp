@@ -12,6 +12,7 @@
 
 #include "common/log.h"
 #include "trace/embree_isa.h"
+#include "trace/refine_hit.h"
 
 namespace amalgam::trace {
 namespace {
@@ -33,7 +34,8 @@ void report_error(void*, RTCError code, const char* text) {
   common::log_error("embree error " + std::to_string(code) + ": " + (text ? text : ""));
 }
 
-// Robust: no cracks at shared edges (numerics B11). The filter is find_all()'s.
+// Robust: no cracks at shared edges (numerics B11). The filters are for rays that
+// leave a surface.
 const RTCSceneFlags kSceneFlags = RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION;
 
 // Copies a mesh's data into buffers that Embree owns (it reads 16 bytes past the last vertex
@@ -111,24 +113,40 @@ bool passes_light(const scene::Material& material) {
   return material.kind == scene::MaterialKind::Dielectric || material.alpha_cutoff.has_value();
 }
 
-// Passed by find_all() through Embree to its filter.
-struct FindAllContext {
+// Passed through Embree to the filters.
+struct LeavingContext {
   RTCIntersectContext embree;  // first: Embree knows only this part
   const EmbreeScene* scene = nullptr;
+  const glm::dvec3* start = nullptr;
+  const Ray* ray = nullptr;
+  // Of find_all() only.
   PassedSurfaces* found = nullptr;
   const std::uint8_t* ends_light = nullptr;
 };
 
-// Embree's filter for each surface on the ray: records it and lets the ray continue.
-void write_down(const RTCFilterFunctionNArguments* arguments) {
-  const auto& context = *reinterpret_cast<const FindAllContext*>(arguments->context);
+Hit met_by(const RTCFilterFunctionNArguments* arguments) {
   const auto* ray = reinterpret_cast<const RTCRay*>(arguments->ray);
   const auto* hit = reinterpret_cast<const RTCHit*>(arguments->hit);
-  const unsigned instance = hit->instID[0];
-  if (context.ends_light[instance] != 0) return;  // accepted: the query ends
-  const Hit met{instance, hit->primID, {hit->u, hit->v}, ray->tfar};
+  return {hit->instID[0], hit->primID, {hit->u, hit->v}, ray->tfar};
+}
+
+// Embree's filter that lets the ray continue past the surface that it leaves.
+void pass_left_behind(const RTCFilterFunctionNArguments* arguments) {
+  const auto& context = *reinterpret_cast<const LeavingContext*>(arguments->context);
+  if (is_left_behind(*context.scene, met_by(arguments), *context.start, *context.ray)) {
+    arguments->valid[0] = 0;
+  }
+}
+
+// Embree's filter for each surface on the ray: records it and lets the ray continue.
+void write_down(const RTCFilterFunctionNArguments* arguments) {
+  const auto& context = *reinterpret_cast<const LeavingContext*>(arguments->context);
+  const Hit met = met_by(arguments);
   context.scene->triangle(met).prefetch();
-  context.found->add(met);
+  if (!is_left_behind(*context.scene, met, *context.start, *context.ray)) {
+    if (context.ends_light[met.instance] != 0) return;  // accepted: the query ends
+    context.found->add(met);
+  }
   arguments->valid[0] = 0;
 }
 
@@ -260,11 +278,27 @@ bool EmbreeScene::is_occluded(const Ray& ray, Visible visible) const {
   return query.tfar < 0.0f;
 }
 
-bool EmbreeScene::find_all(const Ray& ray, Visible visible, PassedSurfaces& found) const {
+bool EmbreeScene::is_occluded(const glm::dvec3& start, const Ray& ray, Visible visible) const {
+  if (!is_valid(ray)) return false;
+  LeavingContext context{.embree = {}, .scene = this, .start = &start, .ray = &ray};
+  rtcInitIntersectContext(&context.embree);
+  context.embree.filter = pass_left_behind;
+  RTCRay query{};
+  fill(query, ray, visible);
+  rtcOccluded1(impl_->top.get(), &context.embree, &query);
+  return query.tfar < 0.0f;
+}
+
+bool EmbreeScene::find_all(const glm::dvec3& start, const Ray& ray, Visible visible,
+                           PassedSurfaces& found) const {
   found.clear();
   if (!is_valid(ray)) return false;
-  FindAllContext context{
-      .embree = {}, .scene = this, .found = &found, .ends_light = ends_light_.data()};
+  LeavingContext context{.embree = {},
+                         .scene = this,
+                         .start = &start,
+                         .ray = &ray,
+                         .found = &found,
+                         .ends_light = ends_light_.data()};
   rtcInitIntersectContext(&context.embree);
   context.embree.filter = write_down;
   RTCRay query{};

@@ -96,10 +96,14 @@ class EmbreeScene {
   std::optional<Hit> intersect(const Ray& ray, Visible visible) const;
   bool is_occluded(const Ray& ray, Visible visible) const;
 
+  // The following are for rays that leave a surface at start: what they leave behind there does not
+  // count (is_left_behind() in trace/refine_hit.h).
+  bool is_occluded(const glm::dvec3& start, const Ray& ray, Visible visible) const;
   // Every surface on the ray, unordered. Hits on edges and on split triangles occur more than once.
   // Stops and returns true at a real surface that is opaque everywhere; the list is then
   // incomplete.
-  bool find_all(const Ray& ray, Visible visible, PassedSurfaces& found) const;
+  bool find_all(const glm::dvec3& start, const Ray& ray, Visible visible,
+                PassedSurfaces& found) const;
 
   const scene::Scene& scene() const { return scene_; }
   // Whether the scene has any surface that light can pass: glass or alpha cut-outs.

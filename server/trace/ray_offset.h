@@ -10,7 +10,6 @@
 // coordinate are skipped.
 #pragma once
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
@@ -29,13 +28,6 @@ inline double offset_height(double largest_coordinate) {
 inline glm::dvec3 offset_from_surface(const glm::dvec3& p, const glm::dvec3& normal,
                                       const glm::dvec3& direction, double height) {
   return p + (glm::dot(normal, direction) < 0.0 ? -height : height) * normal;
-}
-
-// The point on the ray at that height above the surface.
-inline glm::dvec3 offset_along_ray(const glm::dvec3& p, const glm::dvec3& normal,
-                                   const glm::dvec3& direction, double height) {
-  constexpr double kMostGrazing = 1e-3;  // flatter rays count as this flat
-  return p + direction * (height / glm::max(glm::abs(glm::dot(normal, direction)), kMostGrazing));
 }
 
 }  // namespace amalgam::trace

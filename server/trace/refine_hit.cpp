@@ -52,6 +52,18 @@ Hit in_plane_of(const EmbreeScene& scene, const Hit& hit, const glm::dvec3& star
           glm::dot(edge_v, q) * scale};
 }
 
+bool is_left_behind(const EmbreeScene& scene, const Hit& hit, const glm::dvec3& start,
+                    const Ray& ray) {
+  // Offsets. Rounded to float, a ray that rises by a few millionths meets its own surface there.
+  constexpr double kFar = 1 << 13;
+  if (hit.t > kFar * glm::distance(start, glm::dvec3(ray.origin))) return false;
+  // Offsets. A billionth of the coordinates: double's rounding under the worst transforms that
+  // loading lets pass.
+  constexpr double kAtStart = 1.0 / (1 << 12);
+  const double t = in_plane_of(scene, hit, start, glm::dvec3(ray.direction)).t;
+  return !(t > kAtStart * offset_at(scene, hit));
+}
+
 namespace {
 
 // Traces again from just before the hit, where float is finer and no offset is needed. The ray was

@@ -67,12 +67,15 @@ bool is_same(const EmbreeScene& scene, const Hit& a, const Hit& b, const glm::dv
 }
 
 // The surfaces on the line that begins at start, nearest first, each once.
-std::span<Hit> put_in_order(const EmbreeScene& scene, const glm::dvec3& start,
-                            const glm::dvec3& direction, std::span<Hit> hits) {
+std::span<Hit> put_in_order(const EmbreeScene& scene, const glm::dvec3& start, const Ray& ray,
+                            std::span<Hit> hits) {
+  const glm::dvec3 direction(ray.direction);
+  const double begins = glm::dot(glm::dvec3(ray.origin) - start, direction);  // a t
   for (Hit& hit : hits) {
+    hit.t += begins;
     const Hit on_line = in_plane_of(scene, hit, start, direction);
     // Edge-on triangles have no reliable intersection; Embree's stays.
-    if (std::abs(on_line.t - hit.t) <= 1e-3 * hit.t) hit = on_line;
+    if (std::abs(on_line.t - hit.t) <= std::max(1e-3 * hit.t, std::abs(begins))) hit = on_line;
   }
   std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {
     return std::tie(a.t, a.instance, a.triangle) < std::tie(b.t, b.instance, b.triangle);
@@ -92,9 +95,7 @@ Solutions pass_surfaces(const EmbreeScene& scene, const glm::dvec3& start, const
                         PassedSurfaces& surfaces) {
   Solutions solutions;
   const glm::dvec3 direction(ray.direction);
-  const double ahead = glm::distance(start, glm::dvec3(ray.origin));
-  for (Hit& hit : surfaces.hits()) hit.t += ahead;
-  for (const Hit& hit : put_in_order(scene, start, direction, surfaces.hits())) {
+  for (const Hit& hit : put_in_order(scene, start, ray, surfaces.hits())) {
     const bool real = scene.placed(hit.instance).role == scene::Role::Real;
     pass_surface(scene, hit, direction, real ? solutions.real : solutions.virtual_only);
   }
@@ -105,8 +106,9 @@ Solutions pass_surfaces(const EmbreeScene& scene, const glm::dvec3& start, const
 glm::vec3 real_attenuation(const EmbreeScene& scene, const glm::dvec3& start, const Ray& ray,
                            PassedSurfaces& surfaces) {
   if (!scene.anything_passes_light())
-    return glm::vec3(scene.is_occluded(ray, Visible::Real) ? 0.0f : 1.0f);
-  if (scene.find_all(ray, Visible::Real, surfaces) || surfaces.overflowed()) return glm::vec3(0.0f);
+    return glm::vec3(scene.is_occluded(start, ray, Visible::Real) ? 0.0f : 1.0f);
+  if (scene.find_all(start, ray, Visible::Real, surfaces) || surfaces.overflowed())
+    return glm::vec3(0.0f);
   return pass_surfaces(scene, start, ray, surfaces).real.attenuation();
 }
 
@@ -117,10 +119,11 @@ constexpr ShadowAttenuation kDark{glm::vec3(0.0f), glm::vec3(0.0f)};
 ShadowAttenuation trace_shadow(const EmbreeScene& scene, const glm::dvec3& start, const Ray& ray,
                                PassedSurfaces& surfaces) {
   if (!scene.anything_passes_light()) {
-    if (!scene.is_occluded(ray, Visible::Everything)) return {};
+    if (!scene.is_occluded(start, ray, Visible::Everything)) return {};
     return {glm::vec3(0.0f), real_attenuation(scene, start, ray, surfaces)};
   }
-  if (scene.find_all(ray, Visible::Everything, surfaces) || surfaces.overflowed()) return kDark;
+  if (scene.find_all(start, ray, Visible::Everything, surfaces) || surfaces.overflowed())
+    return kDark;
   if (surfaces.hits().empty()) return {};
   const Solutions solutions = pass_surfaces(scene, start, ray, surfaces);
   const glm::vec3 real = solutions.real.attenuation();
@@ -131,9 +134,9 @@ ShadowAttenuation trace_shadow_change(const EmbreeScene& scene, const glm::dvec3
                                       const Ray& ray, PassedSurfaces& surfaces) {
   glm::vec3 added(0.0f);
   if (!scene.anything_passes_light()) {
-    if (!scene.is_occluded(ray, Visible::Virtual)) return {};
+    if (!scene.is_occluded(start, ray, Visible::Virtual)) return {};
   } else {
-    scene.find_all(ray, Visible::Virtual, surfaces);
+    scene.find_all(start, ray, Visible::Virtual, surfaces);
     if (surfaces.overflowed()) return kDark;
     if (surfaces.hits().empty()) return {};
     added = pass_surfaces(scene, start, ray, surfaces).virtual_only.attenuation();

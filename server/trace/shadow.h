@@ -8,7 +8,7 @@
 namespace amalgam::trace {
 
 // start: the shaded point. The shadow ray lies on the line from start to the light and may begin a
-// little off the surface. Light passes transmissive surfaces without bending. Each glass surface
+// little before it. Light passes transmissive surfaces without bending. Each glass surface
 // multiplies it by 1 - Schlick and its base color; Beer-Lambert absorption acts between surfaces
 // (trace/fresnel.h). A ray that overflows `surfaces` counts as blocked. surfaces: scratch space,
 // reused from ray to ray.

@@ -23,8 +23,9 @@ void Tile::spawn_shadow_rays() {
       const scene::LightArrival arrival = scene::light_arrival(request_.lights[light], position);
       if (arrival.irradiance == glm::vec3(0.0f) || !is_lit_from(point, arrival.to_light)) continue;
       const glm::vec3 origin = point.ray_origin_on_line(glm::dvec3(arrival.to_light));
+      const float t_max = arrival.distance + static_cast<float>(point.offset);
       shadows_.push_back(
-          {point.position, {origin, arrival.to_light, arrival.distance}, arrival.irradiance, d});
+          {point.position, {origin, arrival.to_light, t_max}, arrival.irradiance, d});
     }
   }
 }
@@ -34,7 +35,10 @@ void Tile::trace_shadow_rays() {
   for (const ShadowItem& shadow : shadows_) {
     const DiffuseItem& item = diffuse_[shadow.diffuse];
     const bool only_change = item.only_change_counts();
-    log(shadow.ray, only_change ? Visible::Virtual : Visible::Everything,
+    // As it leaves the surface: for measuring, which knows of no surface to leave behind.
+    Ray leaving = shadow.ray;
+    leaving.t_min = 2.0f * static_cast<float>(item.point.offset);
+    log(leaving, only_change ? Visible::Virtual : Visible::Everything,
         request_.scene.anything_passes_light() ? RayQuery::All : RayQuery::Any);
     const auto trace = only_change ? trace_shadow_change : trace_shadow;
     const ShadowAttenuation attenuation = trace(request_.scene, shadow.start, shadow.ray, passed_);

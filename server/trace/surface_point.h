@@ -16,8 +16,10 @@ struct SurfacePoint {
   glm::vec3 ray_origin(const glm::dvec3& direction) const {
     return glm::vec3(offset_from_surface(inside, geometric_normal, direction, offset));
   }
+  // Origin on the line from the point, a little before it, so that the ray misses nothing near. It
+  // may meet this surface: is_left_behind() (trace/refine_hit.h) tells.
   glm::vec3 ray_origin_on_line(const glm::dvec3& direction) const {
-    return glm::vec3(offset_along_ray(inside, geometric_normal, direction, offset));
+    return glm::vec3(position - offset * direction);
   }
 
   // World, from barycentric coordinates and not from o + t d (numerics B1).

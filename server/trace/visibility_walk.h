@@ -2,6 +2,7 @@
 // media_at() the media around a point. Shadow rays need no order and use trace/shadow.h.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -16,16 +17,16 @@ namespace amalgam::trace {
 inline constexpr int kMaxSurfacesOnWay = 256;
 
 // Calls visit(const SurfacePoint&, t) for each surface on the ray, alpha cut-outs included. t is
-// measured from start; the ray lies on the line from start and may begin a little later. visit
-// returns which objects (Visible) the walk may meet next, or nothing to stop. After each hit the
-// same ray continues behind it, so no surface is visited twice. Of surfaces at the same t, or of
-// one instance facing the same way within 4e-7 t of each other, one is visited. Returns false if
-// the walk was cut at kMaxSurfacesOnWay.
+// measured from start; the ray lies on the line from start and may begin a little before. What it
+// meets up to start is not visited. visit returns which objects (Visible) the walk may
+// meet next, or nothing to stop. After each hit the same ray continues behind it, so no surface is
+// visited twice. Of surfaces at the same t, or of one instance facing the same way within 4e-7 t of
+// each other, one is visited. Returns false if the walk was cut at kMaxSurfacesOnWay.
 template <typename Visit>
 bool walk_visibility(const EmbreeScene& scene, const glm::dvec3& start, Ray ray, Visible visible,
                      const Visit& visit) {
   const glm::dvec3 direction(ray.direction);
-  const double ahead = glm::distance(start, glm::dvec3(ray.origin));
+  const double begins = glm::dot(glm::dvec3(ray.origin) - start, direction);  // a t
   struct {
     std::uint32_t instance = 0;
     bool front = false;
@@ -34,8 +35,13 @@ bool walk_visibility(const EmbreeScene& scene, const glm::dvec3& start, Ray ray,
   for (int i = 0; i < kMaxSurfacesOnWay; ++i) {
     const auto hit = scene.intersect(ray, visible);
     if (!hit) return true;
+    // Not 0 in the tracer's threads, where denormals are.
+    ray.t_min =
+        std::nextafter(std::max(static_cast<float>(hit->t), std::numeric_limits<float>::min()),
+                       std::numeric_limits<float>::infinity());
+    if (is_left_behind(scene, *hit, start, ray)) continue;
     Hit traced = *hit;
-    traced.t += ahead;
+    traced.t += begins;
     const Hit on_line = refine_hit(scene, traced, start, direction, visible);
     const SurfacePoint point = surface_point(scene, on_line, direction);
     // On an edge Embree may report both triangles, although the line enters or leaves once.
@@ -48,7 +54,6 @@ bool walk_visibility(const EmbreeScene& scene, const glm::dvec3& start, Ray ray,
       visible = *next;
     }
     last = {on_line.instance, point.front, on_line.t};
-    ray.t_min = std::nextafter(static_cast<float>(hit->t), std::numeric_limits<float>::infinity());
   }
   return false;
 }

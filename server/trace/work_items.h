@@ -79,7 +79,7 @@ struct DiffuseItem {
 
 struct ShadowItem {
   glm::dvec3 start{0.0};       // on the surface
-  Ray ray;                     // starts a little further along
+  Ray ray;                     // starts a little before, on the line
   glm::vec3 irradiance{0.0f};  // unoccluded, on a surface facing the light
   std::uint32_t diffuse = 0;   // index into the batch's DiffuseItems
 };

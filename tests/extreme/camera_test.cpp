@@ -134,9 +134,9 @@ TEST(ExtremeCamera, OneMillimetreAndOneKilometreAway) {
   }
 }
 
-// Poses further away than 10,000 km are not believed.
+// Poses further away than ten thousand kilometres are not believed.
 TEST(ExtremeCamera, BeyondTenThousandKilometresChangesNothing) {
-  parity::ParityCase desk = make_desk(1e7);
+  parity::ParityCase desk = make_desk(1000.0);
   place_camera(desk, 1e7, {0.0, 0.3, 1.1}, {0.0, 0.3, 0.0});
   ASSERT_FALSE(common::is_usable(desk.poses[0]));
   EXPECT_TRUE(render(desk, frame::RendererMode::Raytrace).composite == desk.camera_image);

@@ -23,12 +23,11 @@ std::uint64_t setting(const char* name, std::uint64_t otherwise) {
   return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
 }
 
-// Flat shadow rays begin up to a thousand offsets from their surface (trace/ray_offset.h): inside
-// curved glass that scatters, behind the next facet, which lets light in. That is one pixel in
-// 15,000 of all cases, and up to a hundredth of a case with such glass around the camera. Beginning
-// nearer is no cure: flat rays then meet their own surface.
-constexpr std::size_t kMostWrongOfACase = 8;
-constexpr double kMostWrongOfAll = 2e-4;  // of the pixels of a batch of 100 cases or more
+// Of seeds 1 to 2000, four pixels of 1.4 million are wrong and not among those that the reference
+// calls grazing: one each of seeds 301, 558, 867 and 1265. Their cause is not known. In each of
+// them the camera is in glass within glass, where a path meets up to ten facets.
+constexpr std::size_t kMostWrongOfACase = 1;
+constexpr double kMostWrongOfAll = 2e-5;  // of the pixels of a batch of 100 cases or more
 // The rasteriser's depth knows one point a pixel, so that look-ups past things smaller than that
 // may see what is hidden; shadow maps have texels.
 constexpr double kMostLookUpsWrong = 0.02, kMostCompositeWrong = 0.03;
