@@ -74,10 +74,12 @@ def _absorb(builder, volume):
     builder.material.cycles.homogeneous_volume = True
 
 
-def dielectric(material, ior, volume, straight_shadows, gltf=None, folder=None):
-    """straight_shadows: light from lamps passes unbent, less what is reflected, as Amalgam has it;
+def dielectric(material, ior, volume, straight_shadows):
+    """ior: a number, or a function that makes a socket of it. straight_shadows: light from lamps passes unbent, less what is reflected, as Amalgam has it;
     otherwise Cycles without caustics would make glass cast shadows as black as a stone's."""
-    builder = _Builder(material, gltf, folder)
+    builder = _Builder(material, None, None)
+    if callable(ior):
+        ior = ior(builder)
     glass = builder.add("ShaderNodeBsdfGlass", Color=(1, 1, 1, 1), Roughness=0.0, IOR=ior)
     glass.distribution = "SHARP"
     surface = glass.outputs["BSDF"]

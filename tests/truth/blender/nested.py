@@ -6,10 +6,12 @@ reaches half way into its tumbler, a bubble with the index of air. Cycles knows 
 
 import bmesh
 import bpy
+from mathutils import Vector
 
 from materials import dielectric
 
 GLASS, TEA = 1.5, 1.33
+_HORIZONTAL = Vector((1, 1, 0))
 
 
 def _edit(thing, change):
@@ -18,6 +20,13 @@ def _edit(thing, change):
     change(mesh)
     mesh.to_mesh(thing.data)
     mesh.free()
+
+
+def _forget_stored_normals(thing):
+    """They are of the faces as imported. Those that vertices share, or do not, are as good."""
+    bpy.context.view_layer.objects.active = thing
+    bpy.ops.mesh.customdata_custom_splitnormals_clear()
+    thing.data.use_auto_smooth = False
 
 
 def _turn_inside_out(mesh):
@@ -30,7 +39,7 @@ def _hollow(ball, bubble):
     _edit(bubble, _turn_inside_out)
     bpy.ops.object.select_all(action="DESELECT")
     for thing in (bubble, ball):
-        thing.data.use_auto_smooth = False  # the stored normals still point the other way
+        _forget_stored_normals(thing)
         thing.select_set(True)
     bpy.context.view_layer.objects.active = ball
     bpy.ops.object.join()
@@ -50,9 +59,25 @@ def _without_wet_wall(level):
     return change
 
 
-from mathutils import Vector  # noqa: E402
+def _against_air_on_top(top):
+    """The tea's index at its surface, the ratio to the glass's elsewhere. One material, because
+    Cycles would not take leaving by a second one for leaving the first one's volume."""
 
-_HORIZONTAL = Vector((1, 1, 0))
+    def index(builder):
+        place = builder.add("ShaderNodeNewGeometry").outputs["Position"]
+        height = builder.add("ShaderNodeSeparateXYZ", Vector=place).outputs["Z"]
+        on_top = builder.add("ShaderNodeMath")
+        on_top.operation = "GREATER_THAN"
+        builder.tree.links.new(height, on_top.inputs[0])
+        on_top.inputs[1].default_value = top - 1e-5
+        scaled = builder.add("ShaderNodeMath")
+        scaled.operation = "MULTIPLY_ADD"
+        builder.tree.links.new(on_top.outputs[0], scaled.inputs[0])
+        scaled.inputs[1].default_value = TEA - TEA / GLASS
+        scaled.inputs[2].default_value = TEA / GLASS
+        return scaled.outputs[0]
+
+    return index
 
 
 def mend_nested_glass(gltf, straight_shadows):
@@ -62,13 +87,11 @@ def mend_nested_glass(gltf, straight_shadows):
     if "tea" not in objects:
         return
     tea, tumbler = objects["tea"], objects["tumbler"]
-    volume = next(m for m in gltf["materials"] if m["name"] == "tea")["extensions"][
-        "KHR_materials_volume"]
-    wetted = bpy.data.materials.new("tea at glass")
-    dielectric(wetted, TEA / GLASS, volume, straight_shadows)
-    tea.data.materials.append(wetted)
-    for polygon in tea.data.polygons:
-        polygon.material_index = 0 if polygon.normal.z > 0.9 else 1
+    definition = next(m for m in gltf["materials"] if m["name"] == "tea")
     level = max(vertex.co.z for vertex in tea.data.vertices)
-    tumbler.data.use_auto_smooth = True
+    bpy.context.view_layer.update()
+    top = (tea.matrix_world @ Vector((0, 0, level))).z
+    dielectric(bpy.data.materials["tea"], _against_air_on_top(top),
+               definition["extensions"]["KHR_materials_volume"], straight_shadows)
+    _forget_stored_normals(tumbler)
     _edit(tumbler, _without_wet_wall(level))
