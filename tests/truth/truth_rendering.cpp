@@ -6,10 +6,15 @@
 namespace amalgam::truth {
 
 std::vector<Method> methods() {
+  const frame::RendererSettings default_settings;
   frame::RendererSettings thesis, many_lights;
   thesis.env_lights = scene::parse_env_light_options("sectors");
   many_lights.env_lights = scene::parse_env_light_options("median-cut:64");
-  return {{"default", {}}, {"64 lights", many_lights}, {"eq. 4.5, 8 lights", thesis}};
+  std::vector<Method> list{{"default", default_settings}, {"64 lights", many_lights}};
+  if (thesis.env_lights != default_settings.env_lights) {
+    list.push_back({"eq. 4.5, 8 lights", thesis});
+  }
+  return list;
 }
 
 TruthRenderer::TruthRenderer(const TruthCase& truth_case, const Method& method)

@@ -15,8 +15,8 @@ struct Method {
   frame::RendererSettings settings;
 };
 
-// The default settings; 64 lights; and the thesis's eq. 4.5 with its eight lights, whatever the
-// default is.
+// The default settings; 64 lights; and the thesis's eq. 4.5 with its eight lights, if that is not
+// the default, which it is today.
 std::vector<Method> methods();
 
 // One scene with one method. Belongs to the thread that made it.
