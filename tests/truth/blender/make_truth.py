@@ -26,7 +26,7 @@ KEPT = {"full": ("linear", "reinhard"), "direct": ("reinhard",)}
 
 
 def _two_seeds(samples, full_transport):
-    """Two pictures of half the samples each: their mean is the picture, their difference its noise."""
+    """Two pictures of half the samples each: the mean is the picture, the difference its noise."""
     set_up(samples // 2, full_transport)
     return [render(seed) for seed in (1, 2)]
 

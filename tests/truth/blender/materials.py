@@ -1,9 +1,9 @@
 """Our materials in Cycles, made of the glTF's own numbers.
 
-What does not correspond: a mirror here reflects its base color at every angle (ours: Schlick), glass
-has the exact Fresnel reflectance (ours: Schlick, unless told otherwise), and the highlight of a
-diffuse surface is a GGX lobe of the same roughness that also mirrors its surroundings (ours: Phong,
-of lights alone).
+What does not correspond: a mirror here reflects its base color at every angle (ours: Schlick),
+glass has the exact Fresnel reflectance (ours: Schlick, unless told otherwise), and the highlight of
+a diffuse surface is a GGX lobe of the same roughness that also mirrors its surroundings (ours:
+Phong, of lights alone).
 """
 
 import math
@@ -75,8 +75,9 @@ def _absorb(builder, volume):
 
 
 def dielectric(material, ior, volume, straight_shadows):
-    """ior: a number, or a function that makes a socket of it. straight_shadows: light from lamps passes unbent, less what is reflected, as Amalgam has it;
-    otherwise Cycles without caustics would make glass cast shadows as black as a stone's."""
+    """ior: a number, or a function that makes a socket of it. straight_shadows: light from lamps
+    passes unbent, less what is reflected, as Amalgam has it; otherwise Cycles without caustics
+    would make glass cast shadows as black as a stone's."""
     builder = _Builder(material, None, None)
     if callable(ior):
         ior = ior(builder)

@@ -27,14 +27,15 @@ class _Nodes:
         return self.add("ShaderNodeNewGeometry").outputs["Position"]
 
     def ramp(self, factor, low, high):
-        mix = self.add("ShaderNodeMixRGB", {"Fac": factor, "Color1": (*low, 1), "Color2": (*high, 1)})
+        mix = self.add("ShaderNodeMixRGB", {"Fac": factor, "Color1": (*low, 1),
+                                            "Color2": (*high, 1)})
         return mix.outputs["Color"]
 
 
 def _cloth(nodes):
     """Red and white squares of 3 cm. Turned, and not at 0, where squares would meet the table."""
-    turned = nodes.add("ShaderNodeMapping", {"Vector": nodes.place(), "Location": (0.007, 0.011, 0.01),
-                                             "Rotation": (0, 0, 0.3)})
+    turned = nodes.add("ShaderNodeMapping", {
+        "Vector": nodes.place(), "Location": (0.007, 0.011, 0.01), "Rotation": (0, 0, 0.3)})
     return nodes.add("ShaderNodeTexChecker", {
         "Vector": turned.outputs["Vector"], "Scale": 1 / 0.03, "Color1": (0.58, 0.035, 0.04, 1),
         "Color2": (0.78, 0.77, 0.74, 1)}).outputs["Color"]

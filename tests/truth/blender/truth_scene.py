@@ -93,7 +93,8 @@ def light_by(environment):
     links.new(texture.outputs["Color"], background.inputs["Color"])
     links.new(background.outputs["Background"], output.inputs["Surface"])
     world.cycles.sampling_method = "MANUAL"
-    world.cycles.sample_map_resolution = 256  # the widest of our maps; Blender's own choice takes 4 s
+    # As wide as the widest of our maps. Blender's own choice takes 4 s a picture.
+    world.cycles.sample_map_resolution = 256
 
 
 def hide_lamps():
