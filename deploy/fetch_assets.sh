@@ -38,7 +38,8 @@ for part in "$@"; do
 done
 rm -f "$assets"/*.deb
 
-rm -f "$generated/environment.exr"  # of an earlier version, perhaps
+# The scenes that are there already need it as much as new ones, and that of an earlier version would be refused.
+cp deploy/scenes/environment.exr "$generated/environment.exr"
 for material in glass mirror; do
   if [ -s "$assets/bunny.obj" ] && [ ! -s "$generated/bunny-$material.gltf" ]; then
     python3 deploy/scenes/wrap_obj.py "$assets/bunny.obj" --material "$material" --output "$generated/bunny-$material.gltf"

@@ -45,6 +45,16 @@ double ssim(const common::ImageRgb8& a, const common::ImageRgb8& b) {
   return cv::quality::QualitySSIM::compute(as_grey(a), as_grey(b), cv::noArray())[0];
 }
 
+common::Image<float> ssim_map(const common::ImageRgb8& a, const common::ImageRgb8& b) {
+  check_sizes(a, b);
+  cv::Mat quality, floats;
+  cv::quality::QualitySSIM::compute(as_grey(a), as_grey(b), quality);
+  quality.convertTo(floats, CV_32F);
+  common::Image<float> map(a.width(), a.height());
+  floats.copyTo(cv::Mat(map.height(), map.width(), CV_32F, map.data()));
+  return map;
+}
+
 double psnr(const common::ImageRgb8& a, const common::ImageRgb8& b) {
   check_sizes(a, b);
   // OpenCV keeps away from infinity.
