@@ -20,8 +20,9 @@ struct RadianceLimit {
   bool looks_up = false;        // rays may also find the colors of the camera image
 };
 
-// Stands for "no limit". Finite, so that a weight of 0 times it is 0.
-inline constexpr float kNoRadianceLimit = 1e30f;
+// Stands for "no limit". Finite, so that a weight of 0 times it is 0, and small enough to be
+// multiplied with exposures and other radiance.
+inline constexpr float kNoRadianceLimit = 1e20f;
 
 // environment: null for black. largest_environment: largest_radiance(*environment).
 RadianceLimit find_radiance_limit(const EmbreeScene& scene, std::span<const scene::Light> lights,

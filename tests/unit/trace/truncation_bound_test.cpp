@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "support/scene_builders.h"
 #include "trace/tracer.h"
@@ -53,6 +54,20 @@ TEST(TruncationBound, StaysFiniteWithoutALimit) {
       truncation_bound(sample, truncation, {.radiance = glm::vec3(kNoRadianceLimit)}, 1.0f);
   EXPECT_FLOAT_EQ(bound.x, 0.5f);
   EXPECT_FLOAT_EQ(bound.z, 0.0f);
+}
+
+TEST(TruncationBound, StaysFiniteForLightThatIsNot) {
+  const Truncation truncation{.weight = glm::vec3(0.25f), .radiance = glm::vec3(0.1f)};
+  for (const float radiance :
+       {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 3e38f}) {
+    const SampleResult sample{.mixed = glm::vec3(radiance), .met_virtual = true};
+    for (const float limit : {1.0f, kNoRadianceLimit}) {
+      const float bound =
+          truncation_bound(sample, truncation, {.radiance = glm::vec3(limit)}, 1e6f).x;
+      EXPECT_GE(bound, 0.0f) << radiance;
+      EXPECT_LE(bound, 1.0f) << radiance;
+    }
+  }
 }
 
 // Inside a box of mirrors every ray is cut off, with weight r^(D+1): the environment of radiance 1
