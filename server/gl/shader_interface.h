@@ -64,9 +64,9 @@ constexpr unsigned kCubeSides = 6;
 // texel's diagonal and the filter's reach.
 constexpr double kShadowLift = 1.5;
 
-// Metres; nearer surfaces are not drawn. A thousandth of the smallest scenes, which are a millimetre
-// across. It costs nothing: depth is a float that falls with the distance, so its relative
-// precision is the same everywhere.
+// Metres; nearer surfaces are not drawn. A thousandth of the smallest scenes, which are a
+// millimetre across. It costs nothing: depth is a float that falls with the distance, so its
+// relative precision is the same everywhere.
 constexpr double kNearPlane = 1e-6;
 
 // Bits of a sample in the mask (passes::SampleMask), and of GpuSurface::flags.

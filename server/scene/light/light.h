@@ -23,8 +23,8 @@ struct Light {
 };
 
 // Also in shaders (gl/shader_constants.h). The least distance to a light, so that irradiance stays
-// finite (small enough for lamps in a scene of a millimetre), and the least cos_inner - cos_outer of
-// a spot.
+// finite (small enough for lamps in a scene of a millimetre), and the least cos_inner - cos_outer
+// of a spot.
 constexpr float kMinLightDistance = 1e-6f;  // metres
 constexpr float kMinConeWidth = 0.001f;
 
