@@ -2,10 +2,10 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
-#include <iostream>
 #include <stdexcept>
 
 #include "common/build_info.h"
+#include "common/parse_command_line.h"
 #include "common/token_file.h"
 #include "frame/rendering_threads.h"
 #include "net/token.h"
@@ -91,17 +91,7 @@ std::optional<ServerOptions> parse_server_options(int argc, const char* const* a
       ->check(CLI::IsMember({"trace", "debug", "info", "warn", "error", "off"}));
   add_net_options(app, options.net);
 
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp&) {
-    std::cout << app.help();
-    return std::nullopt;
-  } catch (const CLI::CallForVersion& version) {
-    std::cout << version.what() << '\n';
-    return std::nullopt;
-  } catch (const CLI::ParseError& error) {
-    throw std::runtime_error(error.what());
-  }
+  if (!common::parse_command_line(app, argc, argv)) return std::nullopt;
   options.net.listen = common::parse_host_port(listen);
   options.net.admin = common::parse_host_port(admin);
   options.net.ray_tracer = frame::ray_tracer_version();

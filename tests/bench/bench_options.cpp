@@ -2,10 +2,10 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <iostream>
 #include <stdexcept>
 
 #include "common/build_info.h"
+#include "common/parse_command_line.h"
 #include "server/renderer_options.h"
 
 namespace amalgam::bench {
@@ -50,17 +50,7 @@ std::optional<BenchOptions> parse_bench_options(int argc, char** argv) {
       ours.insert(ours.begin(), argv[i]);  // CLI takes them from the end
     }
   }
-  try {
-    app.parse(ours);
-  } catch (const CLI::CallForHelp&) {
-    std::cout << app.help();
-    return std::nullopt;
-  } catch (const CLI::CallForVersion& version) {
-    std::cout << version.what() << '\n';
-    return std::nullopt;
-  } catch (const CLI::ParseError& error) {
-    throw std::invalid_argument(error.what());
-  }
+  if (!common::parse_command_line(app, [&] { app.parse(ours); })) return std::nullopt;
   if (options.json && !options.goals) {
     throw std::invalid_argument(
         "--json goes with --goals; benchmarks have --benchmark_format=json");

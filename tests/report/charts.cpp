@@ -16,17 +16,6 @@ constexpr const char* kJpegSweep = "JPEG quality";
 // Sweeps whose errors are to another reference would not compare.
 constexpr const char* kLightsSweep = "lights";
 
-std::vector<std::string> distinct(const std::vector<PointSummary>& points,
-                                  std::string PointSummary::*member) {
-  std::vector<std::string> names;
-  for (const PointSummary& point : points) {
-    if (std::find(names.begin(), names.end(), point.*member) == names.end()) {
-      names.push_back(point.*member);
-    }
-  }
-  return names;
-}
-
 ChartPoint timed(const PointSummary& point, double error, const Interval& interval,
                  const std::string& label) {
   return {point.time_min, error,         point.time_min, point.time_median,
@@ -47,7 +36,7 @@ Chart scene_chart(const std::vector<PointSummary>& points, const std::string& sc
   Chart chart{.title = scene + ": every setting", .x_label = kTimeAxis, .y_label = kErrorAxis};
   ChartSeries pareto{
       .name = "Pareto line", .style = ChartSeries::Style::Line, .color = ChartSeries::kTextColor};
-  for (const std::string& sweep : distinct(points, &PointSummary::sweep)) {
+  for (const std::string& sweep : names_of(points, &PointSummary::sweep)) {
     if (sweep == kLightsSweep || sweep == kJpegSweep) continue;
     ChartSeries series{.name = sweep};
     for (const PointSummary& point : points) {
@@ -70,7 +59,7 @@ Chart sweep_chart(const std::vector<PointSummary>& points, const std::string& sw
               .y_label = of_jpeg ? "error of JPEG alone [display-linear, white = 1]" : kErrorAxis};
   if (sweep == kLightsSweep)
     chart.y_label = "error to very many lights [display-linear, white = 1]";
-  for (const std::string& scene : distinct(points, &PointSummary::scene)) {
+  for (const std::string& scene : names_of(points, &PointSummary::scene)) {
     ChartSeries series{.name = scene, .style = ChartSeries::Style::Both};
     for (const PointSummary& point : points) {
       if (point.scene != scene || point.sweep != sweep) continue;
@@ -88,7 +77,7 @@ Chart law_chart(const std::vector<PointSummary>& points, const std::vector<Law>&
   Chart chart{.title = sweep + ": error to its limit",
               .x_label = sweep,
               .y_label = "mean absolute error to the limit [white = 1]"};
-  for (const std::string& scene : distinct(points, &PointSummary::scene)) {
+  for (const std::string& scene : names_of(points, &PointSummary::scene)) {
     ChartSeries series{.name = scene};
     std::vector<double> knob, error;
     for (const PointSummary& point : points) {

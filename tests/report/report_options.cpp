@@ -3,10 +3,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
-#include <iostream>
 #include <stdexcept>
 
 #include "common/build_info.h"
+#include "common/parse_command_line.h"
 #include "report/report_scene.h"
 #include "report/sweeps.h"
 #include "server/renderer_options.h"
@@ -83,17 +83,7 @@ std::optional<ReportOptions> parse_report_options(int argc, char** argv) {
       ->check(CLI::Range(1, 1000));
   app.add_option("--threads", options.threads, "rendering threads, 1 to 64 [one for each core]")
       ->check(CLI::Range(1, 64));
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp&) {
-    std::cout << app.help();
-    return std::nullopt;
-  } catch (const CLI::CallForVersion& version) {
-    std::cout << version.what() << '\n';
-    return std::nullopt;
-  } catch (const CLI::ParseError& error) {
-    throw std::invalid_argument(error.what());
-  }
+  if (!common::parse_command_line(app, argc, argv)) return std::nullopt;
   options.size = size.empty() ? (options.quick ? kQuickSize : kFullSize) : parse_size(size);
   options.plan = options.quick ? kQuickPlan : kFullPlan;
   if (runs > 0) options.plan.runs = runs;

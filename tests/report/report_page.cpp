@@ -30,17 +30,6 @@ class Charts {
   Html all_;
 };
 
-std::vector<std::string> names_of(const std::vector<PointSummary>& points,
-                                  std::string PointSummary::*member) {
-  std::vector<std::string> names;
-  for (const PointSummary& point : points) {
-    if (std::find(names.begin(), names.end(), point.*member) == names.end()) {
-      names.push_back(point.*member);
-    }
-  }
-  return names;
-}
-
 Html host_lines(const ReportData& data) {
   const RunRow& host = data.host;
   std::string line = "Commit " + host.commit + ", " + host.host_cpu + ", compiled for " + host.isa +

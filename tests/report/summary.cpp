@@ -194,4 +194,15 @@ std::string summary_csv(const std::vector<PointSummary>& points) {
   return text;
 }
 
+std::vector<std::string> names_of(const std::vector<PointSummary>& points,
+                                  std::string PointSummary::*member) {
+  std::vector<std::string> names;
+  for (const PointSummary& point : points) {
+    if (std::find(names.begin(), names.end(), point.*member) == names.end()) {
+      names.push_back(point.*member);
+    }
+  }
+  return names;
+}
+
 }  // namespace amalgam::report

@@ -47,4 +47,8 @@ std::vector<PointSummary> summarise(const std::vector<RunRow>& rows);
 // summary.csv.
 std::string summary_csv(const std::vector<PointSummary>& points);
 
+// The different values of a member, in the order of their first points.
+std::vector<std::string> names_of(const std::vector<PointSummary>& points,
+                                  std::string PointSummary::*member);
+
 }  // namespace amalgam::report

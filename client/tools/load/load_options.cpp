@@ -1,11 +1,11 @@
 #include "client/tools/load/load_options.h"
 
 #include <CLI/CLI.hpp>
-#include <iostream>
 #include <map>
 #include <stdexcept>
 
 #include "common/build_info.h"
+#include "common/parse_command_line.h"
 #include "common/token_file.h"
 #include "net/token.h"
 
@@ -49,17 +49,7 @@ std::optional<LoadOptions> parse_load_options(int argc, const char* const* argv)
   app.add_option("--faults", fault, "what the clients do wrong")
       ->capture_default_str()
       ->check(CLI::IsMember(faults));
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp&) {
-    std::cout << app.help();
-    return std::nullopt;
-  } catch (const CLI::CallForVersion& version) {
-    std::cout << version.what() << '\n';
-    return std::nullopt;
-  } catch (const CLI::ParseError& error) {
-    throw std::runtime_error(error.what());
-  }
+  if (!common::parse_command_line(app, argc, argv)) return std::nullopt;
   options.server = common::parse_host_port(server);
   options.fault = faults.at(fault);
   options.duration = std::chrono::milliseconds(static_cast<std::int64_t>(duration * 1000.0));

@@ -1,5 +1,6 @@
 """PNG and OpenEXR files, written by hand so that their bytes depend on no library's version."""
 
+import math
 import struct
 import zlib
 
@@ -70,3 +71,17 @@ def write_half_exr(path, rows):
         values = [pixel[channel] for channel in (2, 1, 0) for pixel in row]
         lines.append(struct.pack("<iI", y, line_bytes) + struct.pack(f"<{len(values)}e", *values))
     path.write_bytes(header + offsets + b"".join(lines))
+
+
+def equirectangular(width, height, pixel):
+    """Rows of pixel(direction): +Z in the middle, +X a quarter to the left, +Y at the top."""
+    rows = []
+    for j in range(height):
+        colatitude = math.pi * (j + 0.5) / height
+        row = []
+        for i in range(width):
+            longitude = (0.5 - (i + 0.5) / width) * 2 * math.pi
+            row.append(pixel((math.sin(colatitude) * math.sin(longitude), math.cos(colatitude),
+                              math.sin(colatitude) * math.cos(longitude))))
+        rows.append(row)
+    return rows

@@ -6,6 +6,8 @@ right quarter -X, top row +Y.
 
 import math
 
+from .images import equirectangular
+
 # Where the sun stands: left of the viewer, a little to his side, so that shadows fall to the right
 # and slightly to the back.
 SUN_DIRECTION = (-0.72, 0.95, 0.30)
@@ -62,17 +64,11 @@ def radiance(direction):
 def room(width, height):
     """Rows of (r, g, b), the sun's disc with a soft rim."""
     sun = _normalize(SUN_DIRECTION)
-    rows = []
-    for j in range(height):
-        colatitude = math.pi * (j + 0.5) / height
-        row = []
-        for i in range(width):
-            longitude = (0.5 - (i + 0.5) / width) * 2 * math.pi
-            d = (math.sin(colatitude) * math.sin(longitude), math.cos(colatitude),
-                 math.sin(colatitude) * math.cos(longitude))
-            angle = math.degrees(math.acos(max(-1.0, min(1.0, sum(a * b for a, b in zip(d, sun))))))
-            disc = 1 - _smooth(SUN_RADIUS_DEGREES - 0.7, SUN_RADIUS_DEGREES + 0.7, angle)
-            color = radiance(d)
-            row.append(tuple(c + disc * s for c, s in zip(color, SUN_RADIANCE)))
-        rows.append(row)
-    return rows
+
+    def pixel(d):
+        angle = math.degrees(math.acos(max(-1.0, min(1.0, sum(a * b for a, b in zip(d, sun))))))
+        disc = 1 - _smooth(SUN_RADIUS_DEGREES - 0.7, SUN_RADIUS_DEGREES + 0.7, angle)
+        color = radiance(d)
+        return tuple(c + disc * s for c, s in zip(color, SUN_RADIANCE))
+
+    return equirectangular(width, height, pixel)

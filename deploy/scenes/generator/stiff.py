@@ -9,7 +9,7 @@ import math
 
 from .common import dielectric_material
 from .gltf_writer import GltfWriter
-from .images import write_half_exr
+from .images import equirectangular, write_half_exr
 from .shapes import Shape, box, quad, sphere
 
 SIZES = (("1mm", 0.001), ("1m", 1.0), ("1km", 1000.0))
@@ -30,17 +30,8 @@ def soft_environment(width, height):
     """Rows of (r, g, b). Each channel changes from 0.2 to 2 across the sphere, along its own axis:
     a ray's light tells its direction, and a branch that is cut off errs by at most 1.8."""
     axes = [(0.8, 0.6, 0.0), (-0.48, 0.6, 0.64), (0.0, -0.28, -0.96)]
-    rows = []
-    for j in range(height):
-        colatitude = math.pi * (j + 0.5) / height
-        row = []
-        for i in range(width):
-            longitude = (0.5 - (i + 0.5) / width) * 2 * math.pi
-            d = (math.sin(colatitude) * math.sin(longitude), math.cos(colatitude),
-                 math.sin(colatitude) * math.cos(longitude))
-            row.append(tuple(1.1 + 0.9 * sum(a * b for a, b in zip(d, axis)) for axis in axes))
-        rows.append(row)
-    return rows
+    return equirectangular(width, height, lambda d: tuple(
+        1.1 + 0.9 * sum(a * b for a, b in zip(d, axis)) for axis in axes))
 
 
 def _marker_length(size):

@@ -11,7 +11,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 sys.path.insert(0, str(ROOT / "deploy/scenes"))
 
-from generator.images import write_half_exr  # noqa: E402
+from generator.images import equirectangular, write_half_exr  # noqa: E402
 
 WIDTH, HEIGHT = 128, 64
 GROUND = (0.24, 0.21, 0.17)
@@ -45,16 +45,8 @@ def _overcast(direction):
     return tuple(c * (1 + 2 * direction[1]) / 3 for c in (1.00, 1.03, 1.08))
 
 
-def _rows(radiance):
-    for j in range(HEIGHT):
-        colatitude = math.pi * (j + 0.5) / HEIGHT
-        longitudes = [(0.5 - (i + 0.5) / WIDTH) * 2 * math.pi for i in range(WIDTH)]
-        yield [radiance((math.sin(colatitude) * math.sin(longitude), math.cos(colatitude),
-                         math.sin(colatitude) * math.cos(longitude))) for longitude in longitudes]
-
-
 if __name__ == "__main__":
     folder = pathlib.Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
-    write_half_exr(folder / "sunny.exr", list(_rows(_sunny)))
-    write_half_exr(folder / "overcast.exr", list(_rows(_overcast)))
+    write_half_exr(folder / "sunny.exr", equirectangular(WIDTH, HEIGHT, _sunny))
+    write_half_exr(folder / "overcast.exr", equirectangular(WIDTH, HEIGHT, _overcast))
