@@ -65,8 +65,44 @@ void add_renderer_options(CLI::App& app, frame::RendererSettings& settings) {
       ->default_str("sectors");
   app.add_option_function<float>(
          names::kExposure, [&settings](const float& exposure) { settings.exposure = exposure; },
-         "fixed exposure (factor on scene-linear light); without it, metered on the real surfaces")
+         "fixed exposure (factor on scene-linear light, the same for all channels); without it, "
+         "metered")
       ->check(CLI::PositiveNumber);
+  app.add_option_function<std::string>(
+         names::kMeter,
+         [&settings](const std::string& text) {
+           settings.exposure_card = passes::parse_exposure_card(text);
+         },
+         "what the exposure is metered on: paper (the markers' paper, or the real surfaces where "
+         "that is not seen) or grey (the real surfaces, as bright as they are modelled)")
+      ->check(CLI::IsMember({"paper", "grey"}))
+      ->default_str("paper");
+  app.add_option_function<std::string>(
+         names::kWhiteBalance,
+         [&settings](const std::string& text) { settings.white_balance = text == "auto"; },
+         "auto: the metered exposure has a factor for each channel, by the markers' paper; off: "
+         "one for all")
+      ->check(CLI::IsMember({"auto", "off"}))
+      ->default_str("auto");
+  app.add_option_function<std::string>(
+         names::kToneMap,
+         [&settings](const std::string& text) {
+           settings.tone_curve.reset();
+           if (text != "auto") settings.tone_curve = scene::parse_tone_curve(text);
+         },
+         "the camera's response: reinhard (L / (1 + L)), linear (clipped at 1), or auto: by the "
+         "markers' contrast, reinhard where it cannot be measured or the exposure is fixed")
+      ->check(CLI::IsMember({"auto", "reinhard", "linear"}))
+      ->default_str("auto");
+  app.add_option_function<std::string>(
+         names::kRealSurfaces,
+         [&settings](const std::string& text) {
+           settings.real_surfaces = scene::parse_real_surfaces(text);
+         },
+         "what virtual objects do to real surfaces: ratio (the camera's color times modelled light "
+         "with / without them) or difference (plus the modelled difference, eq. 4.5)")
+      ->check(CLI::IsMember({"ratio", "difference"}))
+      ->default_str(scene::real_surfaces_name(settings.real_surfaces));
   app.add_option(names::kRenderScale, settings.render_scale,
                  "(0, 1]: pixels that virtual things are rendered in for each of the camera's, on "
                  "each axis; the camera image keeps all of its own")

@@ -14,6 +14,8 @@ layout(binding = kMaskUnit) uniform usampler2D mask_flags;
 layout(location = kLightCountLocation) uniform uint light_count;
 // Mask samples from one fragment to the next.
 layout(location = kMaskStepLocation) uniform int mask_step;
+// 1: all surfaces are white Lambertian ones without emission, for the meter.
+layout(location = kWhiteSurfacesLocation) uniform int white_surfaces;
 
 // For each tile: bit i is set if a virtual caster may occlude light i there.
 layout(binding = kTileLightsUnit) uniform usampler2D tile_lights;
@@ -104,6 +106,10 @@ void main() {
   DiffusePoint point =
       DiffusePoint(phong_terms(color.rgb, metallic_roughness()), normals, view);
   vec3 mixed = emission();
+  if (white_surfaces != 0) {
+    point.terms = PhongTerms(vec3(1.0), vec3(0.0), 1.0);
+    mixed = vec3(0.0);
+  }
   vec3 real = mixed;
   add_lights(point, mixed, real);
   bool is_virtual = (surface_flags & kVirtualFlag) != 0u;

@@ -1,16 +1,35 @@
 #include "core/layers.h"
 
 #include <algorithm>
-#include <functional>
+#include <glm/common.hpp>
 #include <utility>
 
 namespace amalgam::core {
 
+LayerPixel& LayerPixel::operator+=(const LayerPixel& other) {
+  over += other.over;
+  difference += other.difference;
+  relative_change += other.relative_change;
+  return *this;
+}
+
+LayerPixel& LayerPixel::operator*=(float weight) {
+  over *= weight;
+  difference *= weight;
+  relative_change *= weight;
+  return *this;
+}
+
+glm::vec3 LayerPixel::light_ratio() const {
+  if (relative_change == glm::vec3(0.0f)) return glm::vec3(1.0f);
+  // Sums of samples' shares may round a little above 1.
+  const float uncovered = std::max(1.0f - over.w, 1e-6f);
+  return glm::max(1.0f + relative_change / uncovered, glm::vec3(0.0f));
+}
+
 bool LayerTile::is_zero() const {
-  return std::all_of(over.begin(), over.end(),
-                     [](const glm::vec4& v) { return v == glm::vec4(0.0f); }) &&
-         std::all_of(difference.begin(), difference.end(),
-                     [](const glm::vec3& v) { return v == glm::vec3(0.0f); });
+  return std::all_of(pixels.begin(), pixels.end(),
+                     [](const LayerPixel& pixel) { return pixel.is_zero(); });
 }
 
 Layers::Layers(glm::ivec2 size) : grid_(size), tiles_(grid_.count()) {}
@@ -38,10 +57,8 @@ void Layers::add(Layers&& other) {
     if (!to) {
       to = std::move(from);
     } else if (from) {
-      std::transform(from->over.begin(), from->over.end(), to->over.begin(), to->over.begin(),
-                     std::plus<>());
-      std::transform(from->difference.begin(), from->difference.end(), to->difference.begin(),
-                     to->difference.begin(), std::plus<>());
+      for (std::size_t pixel = 0; pixel < LayerTile::kPixels; ++pixel)
+        to->pixels[pixel] += from->pixels[pixel];
     }
   }
 }
@@ -59,36 +76,38 @@ bool Layers::is_zero() const {
                      [](const auto& tile) { return !tile || tile->is_zero(); });
 }
 
-glm::vec4 Layers::over(int x, int y) const {
+LayerPixel Layers::at(int x, int y) const {
   const LayerTile* tile = find(grid_.tile_of(x, y));
-  return tile != nullptr ? tile->over[LayerTile::index(x, y)] : glm::vec4(0.0f);
+  return tile != nullptr ? tile->at(x, y) : LayerPixel();
 }
 
-glm::vec3 Layers::difference(int x, int y) const {
-  const LayerTile* tile = find(grid_.tile_of(x, y));
-  return tile != nullptr ? tile->difference[LayerTile::index(x, y)] : glm::vec3(0.0f);
+void Layers::set(int x, int y, const LayerPixel& pixel) {
+  make(grid_.tile_of(x, y)).at(x, y) = pixel;
 }
 
-void Layers::set(int x, int y, const glm::vec4& over, const glm::vec3& difference) {
-  LayerTile& tile = make(grid_.tile_of(x, y));
-  tile.over[LayerTile::index(x, y)] = over;
-  tile.difference[LayerTile::index(x, y)] = difference;
-}
+namespace {
 
-common::ImageRgba32f Layers::over_image() const {
-  common::ImageRgba32f image(size().x, size().y);
-  for (int y = 0; y < size().y; ++y) {
-    for (int x = 0; x < size().x; ++x) image.at(x, y) = over(x, y);
+template <typename Pixel, typename Value>
+common::Image<Pixel> whole_image(const Layers& layers, const Value& value) {
+  common::Image<Pixel> image(layers.size().x, layers.size().y);
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) image.at(x, y) = value(layers.at(x, y));
   }
   return image;
+}
+
+}  // namespace
+
+common::ImageRgba32f Layers::over_image() const {
+  return whole_image<glm::vec4>(*this, [](const LayerPixel& pixel) { return pixel.over; });
 }
 
 common::ImageRgb32f Layers::difference_image() const {
-  common::ImageRgb32f image(size().x, size().y);
-  for (int y = 0; y < size().y; ++y) {
-    for (int x = 0; x < size().x; ++x) image.at(x, y) = difference(x, y);
-  }
-  return image;
+  return whole_image<glm::vec3>(*this, [](const LayerPixel& pixel) { return pixel.difference; });
+}
+
+common::ImageRgb32f Layers::light_ratio_image() const {
+  return whole_image<glm::vec3>(*this, [](const LayerPixel& pixel) { return pixel.light_ratio(); });
 }
 
 }  // namespace amalgam::core

@@ -1,12 +1,13 @@
-// The three layers of the composite. Layers merge by adding (eq. 4.1, 4.2) and go onto the camera
+// The four layers of the composite. Layers merge by adding (eq. 4.1, 4.2) and go onto the camera
 // image as
-//   I_f = A + (1 - a) I_c + D.
+//   I_f = A + (1 - a) TM(TM^-1(I_c) q) + D,   q = 1 + Q / (1 - a).
 //
-// Eq. 4.5 is evaluated per sample in display-linear light and averaged over a pixel's samples. So a
-// pixel half covered by a virtual object is half object and half camera image, without a rim.
+// Each sample is evaluated in display-linear light, and the samples of a pixel are averaged. So a
+// pixel half covered by a virtual object is half object and half camera image, without a rim. Q is
+// averaged over all samples, so that it adds up; q is its mean over those that are not covered.
 //
 // Most of a picture shows nothing virtual. Layers are therefore sparse: in tiles that do not exist
-// all three layers are 0.
+// all layers are 0.
 #pragma once
 
 #include <array>
@@ -21,18 +22,35 @@
 
 namespace amalgam::core {
 
+// One pixel of all layers.
+struct LayerPixel {
+  // rgb: A = mean(M_v (TM(I_m) + I_e)), premultiplied; alpha: a = mean(M_v).
+  glm::vec4 over{0.0f};
+  // D = mean((1 - M_v) (TM(I_m) - TM(I_r))), signed, over samples that the ratio does not serve.
+  glm::vec3 difference{0.0f};
+  // Q = mean((1 - M_v) (I_m / I_r - 1)) over samples of real diffuse surfaces
+  // (scene/light/real_surfaces.h).
+  glm::vec3 relative_change{0.0f};
+
+  bool operator==(const LayerPixel&) const = default;
+  bool is_zero() const { return *this == LayerPixel(); }
+  LayerPixel& operator+=(const LayerPixel& other);
+  LayerPixel& operator*=(float weight);
+  // q, the factor on the light of what the pixel shows of the camera image; at least 0.
+  glm::vec3 light_ratio() const;
+};
+
 // kTileSide x kTileSide pixels, row by row. Pixels beyond the picture stay 0.
 struct LayerTile {
   static constexpr std::size_t kPixels = std::size_t{kTileSide} * kTileSide;
-  // rgb: A = mean(M_v (TM(I_m) + I_e)), premultiplied; alpha: a = mean(M_v).
-  std::array<glm::vec4, kPixels> over{};
-  // D = mean((1 - M_v) (TM(I_m) - TM(I_r))), signed.
-  std::array<glm::vec3, kPixels> difference{};
+  std::array<LayerPixel, kPixels> pixels{};
 
   static std::size_t index(int x, int y) {  // of a pixel of the picture
     return static_cast<std::size_t>(y % kTileSide) * kTileSide +
            static_cast<std::size_t>(x % kTileSide);
   }
+  LayerPixel& at(int x, int y) { return pixels[index(x, y)]; }
+  const LayerPixel& at(int x, int y) const { return pixels[index(x, y)]; }
   bool is_zero() const;
 };
 
@@ -63,13 +81,13 @@ class Layers {
   bool is_zero() const;
 
   // Access to single pixels; slow.
-  glm::vec4 over(int x, int y) const;
-  glm::vec3 difference(int x, int y) const;
-  void set(int x, int y, const glm::vec4& over, const glm::vec3& difference);
+  LayerPixel at(int x, int y) const;
+  void set(int x, int y, const LayerPixel& pixel);
 
   // As whole pictures, for dumps and tests.
   common::ImageRgba32f over_image() const;
   common::ImageRgb32f difference_image() const;
+  common::ImageRgb32f light_ratio_image() const;  // q
 
  private:
   TileGrid grid_;

@@ -106,6 +106,7 @@ FrameBuffers collect_buffers(const graph::FrameGraph& graph, const FramePasses& 
   if (const passes::Layers* layers = graph.peek(frame.layers)) {
     buffers.emplace("over", layers->over_image());
     buffers.emplace("difference", layers->difference_image());
+    buffers.emplace("light_ratio", layers->light_ratio_image());
   }
   return buffers;
 }

@@ -28,7 +28,7 @@ using BufferImage =
 
 // By name: mixed (I_m), real (I_r), environment_reflection (I_e), virtual_mask (M_v), tracing_mask
 // (M_r), real_depth, provenance (one channel for each source, core/provenance.h), and the layers
-// over (A with a) and difference (D). One sample a pixel, ideal camera geometry. Without buffers
+// over (A with a), difference (D) and light_ratio (q). Ideal camera geometry. Without buffers
 // that the frame did not make.
 using FrameBuffers = std::map<std::string, BufferImage>;
 

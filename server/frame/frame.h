@@ -93,7 +93,8 @@ struct FrameStatistics {
   PixelCounts pixels;
   std::uint64_t nonfinite = 0;  // values replaced by 0
   TruncationBound truncation_bound;
-  float exposure = 1.0f;
+  glm::vec3 exposure{1.0f};             // of each channel
+  std::string tone_curve = "reinhard";  // scene::tone_curve_name()
   std::optional<FrameQuality> quality;  // only with a target frame rate
 };
 

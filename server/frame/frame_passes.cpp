@@ -36,10 +36,15 @@ std::optional<std::string> reason_for_nothing(const SceneResources& resources,
   return std::nullopt;
 }
 
-passes::ExposureInputs exposure_inputs(const FrameRequest& request, const FramePasses& frame) {
+passes::ExposureInputs exposure_inputs(const SceneResources& resources, const FrameRequest& request,
+                                       const FramePasses& frame) {
   return {.fixed = request.settings.exposure,
+          .curve = request.settings.tone_curve,
+          .card = request.settings.exposure_card,
+          .white_balance = request.settings.white_balance,
           .camera = request.render_view.camera,
           .ideal = request.render_view.ideal,
+          .markers = {request.input.poses, resources.scene.world.marker_length},
           .grid = frame.meter_grid,
           .camera_image = frame.camera_image,
           .memory = request.view.exposure};
@@ -60,7 +65,8 @@ passes::TraceInputs trace_inputs(const SceneResources& resources, const FrameReq
           .mask = frame.mask.mask,
           .scene = frame.placed,
           .camera_image = frame.camera_image,
-          .exposure = frame.exposure,
+          .tone_map = frame.tone_map,
+          .real_surfaces = request.settings.real_surfaces,
           .real_depth = frame.real_depth,
           .virtual_shadows = frame.virtual_shadows};
 }
@@ -87,8 +93,9 @@ void add_hybrid_passes(graph::FrameGraph& graph, const SceneResources& resources
   frame.effect = passes::add_effect_pass(graph, {raster, view, frame.diffuse, reached}).effect;
   frame.meter_grid =
       passes::add_raster_meter_pass(graph, {raster, view, device_view, frame.mask, shadows});
-  frame.exposure = passes::add_exposure_pass(graph, exposure_inputs(request, frame));
-  const auto resolved = passes::add_resolve_pass(graph, {view, frame.effect, frame.exposure});
+  frame.tone_map = passes::add_exposure_pass(graph, exposure_inputs(resources, request, frame));
+  const auto resolved = passes::add_resolve_pass(
+      graph, {view, frame.effect, frame.tone_map, request.settings.real_surfaces});
   frame.rasterised = resolved.layers;
   frame.rasterised_nonfinite = resolved.nonfinite;
 
@@ -139,7 +146,7 @@ void add_raytrace_passes(graph::FrameGraph& graph, const SceneResources& resourc
   frame.meter_grid = passes::add_traced_meter_pass(
       graph,
       {.view = view, .environment = environment ? &*environment : nullptr, .scene = frame.placed});
-  frame.exposure = passes::add_exposure_pass(graph, exposure_inputs(request, frame));
+  frame.tone_map = passes::add_exposure_pass(graph, exposure_inputs(resources, request, frame));
   frame.traced = passes::add_trace_pass(graph, trace_inputs(resources, request, frame));
 }
 
@@ -154,7 +161,8 @@ graph::Handle<T> bring_back(graph::FrameGraph& graph, const char* name, const Ke
 }
 
 // Nothing moved: an equal frame's results, with this frame's camera image.
-void add_still_passes(graph::FrameGraph& graph, const FrameRequest& request, FramePasses& frame) {
+void add_still_passes(graph::FrameGraph& graph, const SceneResources& resources,
+                      const FrameRequest& request, FramePasses& frame) {
   const StillFrame& still = *request.still;
   for (const char* pass : {"mask", "reached tiles", "diffuse", "effect", "meter", "trace"})
     graph.note_left_out(pass, passes::kNothingMoved);
@@ -163,15 +171,16 @@ void add_still_passes(graph::FrameGraph& graph, const FrameRequest& request, Fra
       graph.absent<passes::SpecularSamples>("samples to trace", passes::kNothingMoved);
   frame.mask.counts = bring_back(graph, "sample counts", still.counts);
   frame.meter_grid = bring_back(graph, "meter grid", still.meter_grid);
-  frame.exposure = passes::add_exposure_pass(graph, exposure_inputs(request, frame));
+  frame.tone_map = passes::add_exposure_pass(graph, exposure_inputs(resources, request, frame));
   const passes::ShadedTiles* shaded = still.shaded.value ? &*still.shaded.value : nullptr;
   frame.effect = bring_back(graph, "diffuse effect", still.shaded, passes::DiffuseEffect{shaded});
-  const auto resolved =
-      passes::add_resolve_pass(graph, {request.render_view, frame.effect, frame.exposure});
+  const auto resolved = passes::add_resolve_pass(
+      graph, {request.render_view, frame.effect, frame.tone_map, request.settings.real_surfaces});
   frame.rasterised = resolved.layers;
   frame.rasterised_nonfinite = resolved.nonfinite;
   const auto paths = bring_back(graph, "traced paths", still.paths);
-  frame.traced = passes::add_look_up_pass(graph, {paths, frame.camera_image, frame.exposure});
+  frame.traced = passes::add_look_up_pass(
+      graph, {paths, frame.camera_image, frame.tone_map, request.settings.real_surfaces});
 }
 
 // Adaptive: nine samples at edges. Traced shadow edges (hybrid): as many samples as elsewhere, but
@@ -220,7 +229,7 @@ FramePasses add_frame_passes(graph::FrameGraph& graph, const SceneResources& res
     frame.placed = graph.absent<passes::PlacedScene>("placed scene", kNoSpecular);
   }
   if (still) {
-    add_still_passes(graph, request, frame);
+    add_still_passes(graph, resources, request, frame);
   } else if (resources.raster != nullptr) {
     add_hybrid_passes(graph, resources, request, frame);
   } else {
@@ -241,6 +250,7 @@ FramePasses add_frame_passes(graph::FrameGraph& graph, const SceneResources& res
   }
   frame.composite = passes::add_composite_pass(graph, {.layers = layers,
                                                        .camera_image = frame.camera_image,
+                                                       .tone_map = frame.tone_map,
                                                        .even_if_unchanged = wants_own_quality});
   frame.encoded = passes::add_encode_pass(
       graph, {.composite = frame.composite,

@@ -50,7 +50,7 @@ struct FramePasses {
   std::optional<std::string> nothing;  // why nothing virtual can show, if known in advance
   graph::Handle<passes::CameraImage> camera_image;
   graph::Handle<passes::MeterGrid> meter_grid;
-  graph::Handle<float> exposure;
+  graph::Handle<scene::ToneMap> tone_map;
   graph::Handle<passes::PlacedScene> placed;
   passes::MaskOutputs mask;
   passes::DiffuseOutputs diffuse;

@@ -74,7 +74,10 @@ FrameStatistics collect_statistics(const graph::FrameGraph& graph, const FramePa
   }
   statistics.truncation_bound = {truncation.sum / static_cast<double>(statistics.pixels.total),
                                  std::min(truncation.worst, 1.0)};
-  if (const float* exposure = graph.peek(frame.exposure)) statistics.exposure = *exposure;
+  if (const auto* tone_map = graph.peek(frame.tone_map)) {
+    statistics.exposure = tone_map->exposure;
+    statistics.tone_curve = scene::tone_curve_name(tone_map->curve);
+  }
   return statistics;
 }
 

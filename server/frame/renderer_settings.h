@@ -4,7 +4,9 @@
 #include <optional>
 #include <string_view>
 
+#include "passes/image/exposure.h"
 #include "scene/light/env_lights.h"
+#include "scene/light/real_surfaces.h"
 #include "trace/tracer.h"
 
 namespace amalgam::frame {
@@ -38,7 +40,15 @@ struct RendererSettings {
   bool reuse_still_frames = true;
   trace::TraceSettings trace;
   scene::EnvLightOptions env_lights;
-  std::optional<float> exposure;     // none: metered on the real surfaces in view
+  // None: metered on the markers' paper and on the real surfaces in view.
+  std::optional<float> exposure;
+  passes::ExposureCard exposure_card = passes::ExposureCard::Paper;
+  // The metered exposure has a factor for each channel, so that a warm environment does not tint
+  // objects in a white-balanced camera image.
+  bool white_balance = true;
+  // The camera's response. None: chosen by the markers' contrast; Reinhard with a fixed exposure.
+  std::optional<scene::ToneCurve> tone_curve;
+  scene::RealSurfaces real_surfaces = scene::RealSurfaces::Ratio;
   trace::RayLog* ray_log = nullptr;  // for measuring: collects the rays of the tracer
   int threads = 0;                   // 0: one for each core that the process may use
   int jpeg_quality = 90;             // 1..100, for clients that want the default

@@ -32,8 +32,9 @@ std::vector<std::string> settings_options(const RendererSettings& settings) {
   const RendererSettings defaults;
   // Names all members: a new one does not compile before it is handled here.
   const auto& [mode, samples_per_pixel, adaptive_threshold, trace_shadow_edges, leave_out_tiles,
-               reuse_still_frames, trace, env_lights, exposure, ray_log, threads, jpeg_quality,
-               render_scale, target_fps, coarse_allowed] = settings;
+               reuse_still_frames, trace, env_lights, exposure, exposure_card, white_balance,
+               tone_curve, real_surfaces, ray_log, threads, jpeg_quality, render_scale, target_fps,
+               coarse_allowed] = settings;
   const auto& [max_depth, importance_cutoff, fresnel] = trace;
 
   std::vector<std::string> words;
@@ -50,6 +51,13 @@ std::vector<std::string> settings_options(const RendererSettings& settings) {
   add(fresnel != defaults.trace.fresnel, names::kFresnel, "exact");
   add(env_lights != defaults.env_lights, names::kEnvLights, scene::to_string(env_lights));
   add(exposure.has_value(), names::kExposure, exact_text(exposure.value_or(1.0f)));
+  add(exposure_card != defaults.exposure_card, names::kMeter,
+      passes::exposure_card_name(exposure_card));
+  add(white_balance != defaults.white_balance, names::kWhiteBalance,
+      white_balance ? "auto" : "off");
+  if (tone_curve) add(true, names::kToneMap, scene::tone_curve_name(*tone_curve));
+  add(real_surfaces != defaults.real_surfaces, names::kRealSurfaces,
+      scene::real_surfaces_name(real_surfaces));
   add(render_scale != defaults.render_scale, names::kRenderScale, exact_text(render_scale));
   add(target_fps.has_value(), names::kTargetFps, exact_text(target_fps.value_or(0.0)));
   if (coarse_allowed) words.emplace_back(names::kCoarse);

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "passes/image/exposure_meter.h"
 #include "passes/image/look_up.h"
+#include "passes/image/meter_grid.h"
 #include "passes/raster/mask.h"
 #include "passes/raster/raster_context.h"
 #include "scene/anchored_scene.h"

@@ -53,7 +53,7 @@ std::string places() {
          AMALGAM_CONSTANT(kSecondUvAttribute) + AMALGAM_CONSTANT(kLightCountLocation) +
          AMALGAM_CONSTANT(kShadowMapsPresentLocation) + AMALGAM_CONSTANT(kMaskStepLocation) +
          AMALGAM_CONSTANT(kSamplesOfTileLocation) + AMALGAM_CONSTANT(kMixedOutput) +
-         AMALGAM_CONSTANT(kRealOutput);
+         AMALGAM_CONSTANT(kWhiteSurfacesLocation) + AMALGAM_CONSTANT(kRealOutput);
 }
 
 std::string contents_of_buffers() {

@@ -48,6 +48,7 @@ constexpr int kLightCountLocation = 1;
 constexpr int kShadowMapsPresentLocation = 2;  // bit i: the map of CasterClass i is bound
 constexpr int kMaskStepLocation = 3;
 constexpr int kSamplesOfTileLocation = 4;
+constexpr int kWhiteSurfacesLocation = 5;
 // The outputs of shade_diffuse.frag, as indices into Framebuffer::Attachments::colors.
 constexpr int kMixedOutput = 0;
 constexpr int kRealOutput = 1;

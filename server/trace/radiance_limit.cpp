@@ -83,13 +83,13 @@ RadianceLimit find_radiance_limit(const EmbreeScene& scene, std::span<const scen
 }
 
 RadianceLimit with_camera_image(RadianceLimit limit, const common::ImageRgb8& image,
-                                float exposure) {
+                                const scene::ToneMap& tone_map) {
   if (!limit.looks_up) return limit;
   std::uint8_t brightest = 0;
   for (const common::Rgb8& pixel : image.pixels())
     brightest = std::max({brightest, pixel.r, pixel.g, pixel.b});
   const glm::vec3 camera =
-      scene::inverse_tone_map(glm::vec3(scene::srgb_decode(brightest)), exposure);
+      scene::inverse_tone_map(glm::vec3(scene::srgb_decode(brightest)), tone_map);
   limit.radiance = glm::max(limit.radiance, camera);
   return limit;
 }

@@ -8,6 +8,7 @@
 #include "common/image.h"
 #include "scene/light/environment.h"
 #include "scene/light/light.h"
+#include "scene/light/tone_map.h"
 #include "trace/embree_scene.h"
 
 namespace amalgam::trace {
@@ -31,6 +32,6 @@ RadianceLimit find_radiance_limit(const EmbreeScene& scene, std::span<const scen
 
 // The limit with the image's colors: TM^-1 of its brightest byte.
 RadianceLimit with_camera_image(RadianceLimit limit, const common::ImageRgb8& image,
-                                float exposure);
+                                const scene::ToneMap& tone_map);
 
 }  // namespace amalgam::trace

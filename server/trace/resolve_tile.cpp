@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "scene/light/tone_map.h"
+#include "scene/light/real_surfaces.h"
 #include "trace/truncation_bound.h"
 
 namespace amalgam::trace {
@@ -26,7 +26,7 @@ void keep_images(const SampleResult& sample, TracedImages& images) {
 
 // Of a tile's pixels: the mean over the samples of each.
 core::TruncationBound bound_truncation(const TilePaths& paths, const RadianceLimit& limit,
-                                       float share, float exposure) {
+                                       float share, const scene::ToneMap& tone_map) {
   core::TruncationBound bound;
   if (paths.truncations.empty()) return bound;
   std::array<glm::vec3, core::LayerTile::kPixels> pixels{};
@@ -35,7 +35,7 @@ core::TruncationBound bound_truncation(const TilePaths& paths, const RadianceLim
     if (truncation.weight == glm::vec3(0.0f)) continue;
     const SampleResult& sample = paths.samples[s];
     pixels[core::LayerTile::index(sample.pixel_x, sample.pixel_y)] +=
-        share * truncation_bound(sample, truncation, limit, exposure);
+        share * truncation_bound(sample, truncation, limit, tone_map);
   }
   for (const glm::vec3& pixel : pixels) {
     bound += {.sum = double{pixel.x + pixel.y + pixel.z} / 3.0,
@@ -44,27 +44,37 @@ core::TruncationBound bound_truncation(const TilePaths& paths, const RadianceLim
   return bound;
 }
 
+core::LayerPixel resolve_sample(const SampleResult& sample, const scene::ToneMap& tone_map,
+                                scene::RealSurfaces real_surfaces) {
+  if (sample.met_virtual) {
+    const glm::vec3 mixed = scene::tone_map(sample.mixed, tone_map);
+    return {.over = glm::vec4(mixed + sample.environment_reflection, 1.0f)};
+  }
+  // A real mirror's image has no light of its own to be scaled: only diffuse surfaces do.
+  const scene::LightChange change = scene::light_change(
+      sample.mixed, sample.real, tone_map,
+      sample.sees_real_diffuse ? real_surfaces : scene::RealSurfaces::Difference);
+  return {.difference = change.difference, .relative_change = change.relative};
+}
+
 }  // namespace
 
 ResolvedTile resolve_tile(std::size_t tile, const TilePaths& paths, const RadianceLimit& limit,
-                          int samples_per_side, float exposure, TraceResult& result) {
+                          int samples_per_side, const scene::ToneMap& tone_map,
+                          scene::RealSurfaces real_surfaces, TraceResult& result) {
   ResolvedTile resolved;
   if (paths.samples.empty()) return resolved;
   const float share = 1.0f / static_cast<float>(samples_per_side * samples_per_side);
-  resolved.truncation = bound_truncation(paths, limit, share, exposure);
+  resolved.truncation = bound_truncation(paths, limit, share, tone_map);
   std::uint64_t& replaced = resolved.nonfinite;
   core::LayerTile& layers = result.layers.make(tile);
   for (SampleResult sample : paths.samples) {
     sample.mixed = replace_nonfinite(sample.mixed, replaced);
     sample.real = replace_nonfinite(sample.real, replaced);
     sample.environment_reflection = replace_nonfinite(sample.environment_reflection, replaced);
-    const std::size_t pixel = core::LayerTile::index(sample.pixel_x, sample.pixel_y);
-    const glm::vec3 mixed = scene::tone_map(sample.mixed, exposure);
-    if (sample.met_virtual) {
-      layers.over[pixel] += share * glm::vec4(mixed + sample.environment_reflection, 1.0f);
-    } else {
-      layers.difference[pixel] += share * (mixed - scene::tone_map(sample.real, exposure));
-    }
+    core::LayerPixel layer = resolve_sample(sample, tone_map, real_surfaces);
+    layer *= share;
+    layers.at(sample.pixel_x, sample.pixel_y) += layer;
     if (result.images && sample.first_of_pixel) keep_images(sample, *result.images);
   }
   return resolved;

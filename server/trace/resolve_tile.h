@@ -19,11 +19,12 @@ struct ResolvedTile {
   }
 };
 
-// Eq. 4.5 per sample with weight 1/n^2 (core/layers.h), n = samples_per_side. Also fills
+// Each sample with weight 1/n^2 (core/layers.h), n = samples_per_side. Also fills
 // result.images if it is set. Non-finite values become 0. Tiles share no pixel, so different
 // threads may resolve different tiles. limit: with the camera image's colors, if they were looked
 // up.
 ResolvedTile resolve_tile(std::size_t tile, const TilePaths& paths, const RadianceLimit& limit,
-                          int samples_per_side, float exposure, TraceResult& result);
+                          int samples_per_side, const scene::ToneMap& tone_map,
+                          scene::RealSurfaces real_surfaces, TraceResult& result);
 
 }  // namespace amalgam::trace

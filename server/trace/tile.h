@@ -48,6 +48,11 @@ class Tile {
   void trace_shadow_rays();
   void add_diffuse();
 
+  DiffuseRadiance emitted(const DiffuseItem& item) const;
+  void spawn_shadow_rays(std::uint32_t diffuse, const ShadowBound* bound);
+  ShadowAttenuation trace_shadow_ray(const ShadowItem& shadow, bool only_change);
+  void add_light(const ShadowItem& shadow, const ShadowAttenuation& attenuation);
+  void shade_changed_in_full();
   void add_sample(const glm::ivec2& pixel, const glm::dvec2& at, bool first_of_pixel);
   void count_primary(const SurfacePoint& point, const scene::Material& material);
   void scatter(const RayItem& item, const MetSurface& met);
@@ -82,6 +87,7 @@ class Tile {
   std::vector<DiffuseItem> diffuse_;
   std::vector<DiffuseRadiance> radiance_;  // by diffuse_
   std::vector<ShadowItem> shadows_;
+  std::vector<std::uint8_t> changed_;  // by diffuse_: 1 if only_change_counts() and light changes
   PassedSurfaces passed_;
   std::vector<LoggedRay> logged_;
   PathCounts counts_;

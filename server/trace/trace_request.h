@@ -15,6 +15,7 @@
 #include "core/truncation.h"
 #include "scene/light/environment.h"
 #include "scene/light/light.h"
+#include "scene/light/real_surfaces.h"
 #include "trace/camera_lookup.h"
 #include "trace/embree_scene.h"
 #include "trace/fresnel.h"
@@ -55,7 +56,11 @@ struct TraceRequest {
   const CameraView* lookup = nullptr;
   // Set if lookup is; of its camera's size.
   const common::ImageRgb8* camera_image = nullptr;
-  float exposure = 1.0f;
+  scene::ToneMap tone_map{};
+  scene::RealSurfaces real_surfaces = scene::RealSurfaces::Ratio;
+  // Diffuse surfaces are shaded as if they were white Lambertian ones without emission: their
+  // radiance is then irradiance / pi.
+  bool white_surfaces = false;
   TraceSettings settings{};
   bool keep_images = false;
   bool keep_provenance = false;

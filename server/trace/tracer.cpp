@@ -101,7 +101,7 @@ TraceResult trace(const TraceRequest& request) {
   std::vector<std::vector<LoggedRay>> logged(request.ray_log != nullptr ? tiles : 0);
   const RadianceLimit limit = radiance_limit(request);
   const RadianceLimit limit_with_camera =
-      lookup ? with_camera_image(limit, *request.camera_image, request.exposure) : limit;
+      lookup ? with_camera_image(limit, *request.camera_image, request.tone_map) : limit;
   PathKeeper keeper(request, limit, tiles);
   tbb::enumerable_thread_specific<Tile> workers([&] { return Tile(context); });
   tbb::parallel_for(std::size_t{0}, tiles, [&](std::size_t i) {
@@ -109,9 +109,11 @@ TraceResult trace(const TraceRequest& request) {
     tile.start(i);
     tile.trace();
     keeper.keep(i, tile.paths());
-    if (lookup) add_look_ups(tile.paths(), *request.camera_image, request.exposure);
+    if (lookup) {
+      add_look_ups(tile.paths(), *request.camera_image, request.tone_map, request.real_surfaces);
+    }
     resolved[i] = resolve_tile(i, tile.paths(), limit_with_camera, request.samples_per_side,
-                               request.exposure, result);
+                               request.tone_map, request.real_surfaces, result);
     if (result.provenance) tile.keep_provenance(*result.provenance);
     counts[i] = tile.counts();
     if (request.ray_log != nullptr) logged[i] = tile.logged();
@@ -126,20 +128,21 @@ TraceResult trace(const TraceRequest& request) {
 }
 
 TraceResult look_up_again(const TracedPaths& paths, const common::ImageRgb8& camera_image,
-                          float exposure) {
+                          const scene::ToneMap& tone_map, scene::RealSurfaces real_surfaces) {
   TraceResult result;
   result.layers = core::Layers(paths.size);
   result.counts = paths.counts;
   result.counts.rays = {.reused = paths.counts.rays.cast()};
-  const RadianceLimit limit = with_camera_image(paths.limit, camera_image, exposure);
+  const RadianceLimit limit = with_camera_image(paths.limit, camera_image, tone_map);
   std::vector<ResolvedTile> resolved(paths.tiles.size());
   tbb::enumerable_thread_specific<TilePaths> workers;
   tbb::parallel_for(std::size_t{0}, paths.tiles.size(), [&](std::size_t i) {
     if (paths.tiles[i].samples.empty()) return;
     TilePaths& tile = workers.local();
     tile = paths.tiles[i];
-    add_look_ups(tile, camera_image, exposure);
-    resolved[i] = resolve_tile(i, tile, limit, paths.samples_per_side, exposure, result);
+    add_look_ups(tile, camera_image, tone_map, real_surfaces);
+    resolved[i] =
+        resolve_tile(i, tile, limit, paths.samples_per_side, tone_map, real_surfaces, result);
   });
   add_resolved(resolved, result);
   return result;

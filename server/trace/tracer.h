@@ -15,6 +15,6 @@ TraceResult trace(const TraceRequest& request);
 // The result of tracing again, to the bit, if only the camera image and the exposure have changed
 // since the paths were kept. Casts no ray. Makes no images and no provenance.
 TraceResult look_up_again(const TracedPaths& paths, const common::ImageRgb8& camera_image,
-                          float exposure);
+                          const scene::ToneMap& tone_map, scene::RealSurfaces real_surfaces);
 
 }  // namespace amalgam::trace

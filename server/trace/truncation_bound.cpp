@@ -3,27 +3,17 @@
 #include <glm/common.hpp>
 
 namespace amalgam::trace {
-namespace {
-
-// TM(b) - TM(a) for a <= b: one division instead of the tone map's two, because this is done for
-// each traced sample.
-glm::vec3 tone_map_step(const glm::vec3& a, const glm::vec3& b, float exposure) {
-  return exposure * (b - a) / ((1.0f + exposure * a) * (1.0f + exposure * b));
-}
-
-}  // namespace
-
 glm::vec3 truncation_bound(const SampleResult& sample, const Truncation& truncation,
-                           const RadianceLimit& limit, float exposure) {
+                           const RadianceLimit& limit, const scene::ToneMap& tone_map) {
   if (!sample.met_virtual) return glm::vec3(1.0f);
   // In this order NaN becomes 0, as it will in the picture.
   const glm::vec3 now =
       glm::min(glm::max(glm::vec3(0.0f), sample.mixed), glm::vec3(kNoRadianceLimit));
   const glm::vec3 least = glm::max(now - truncation.radiance, glm::vec3(0.0f));
   const glm::vec3 most = glm::max(least + truncation.weight * limit.radiance, now);
-  const glm::vec3 darker = tone_map_step(least, now, exposure) + truncation.environment;
+  const glm::vec3 darker = scene::tone_map_step(least, now, tone_map) + truncation.environment;
   const glm::vec3 brighter =
-      tone_map_step(now, most, exposure) +
+      scene::tone_map_step(now, most, tone_map) +
       glm::max(truncation.weight * limit.environment - truncation.environment, glm::vec3(0.0f));
   return glm::max(darker, brighter);
 }

@@ -11,6 +11,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "scene/light/tone_map.h"
 #include "trace/radiance_limit.h"
 #include "trace/tile_paths.h"
 
@@ -19,6 +20,6 @@ namespace amalgam::trace {
 // For each channel, an upper bound of the composite's error, display-linear. 1 if the sample has
 // met nothing virtual: the cut-off rays might have, and then the whole camera color is replaced.
 glm::vec3 truncation_bound(const SampleResult& sample, const Truncation& truncation,
-                           const RadianceLimit& limit, float exposure);
+                           const RadianceLimit& limit, const scene::ToneMap& tone_map);
 
 }  // namespace amalgam::trace

@@ -92,8 +92,8 @@ struct ShadowAttenuation {
   bool differs() const { return mixed != real; }
 };
 
-// Radiance of a diffuse item, summed over the lights. If only_change_counts(), the sum skips lights
-// that virtual objects do not change.
+// Radiance of a diffuse item, summed over the lights. If only_change_counts(), a sum without change
+// may skip lights; by differences, every sum skips those that virtual objects do not change.
 struct DiffuseRadiance {
   glm::vec3 mixed{0.0f};
   glm::vec3 real{0.0f};

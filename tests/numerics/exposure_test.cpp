@@ -17,7 +17,11 @@ constexpr float kRadiance = 0.5f;
 
 // Of a picture of an even grey, with as many of the model's pixels set to this value.
 std::optional<float> metered_with(int changed, float value, float radiance = kRadiance) {
-  MeterGrid grid{common::ImageRgba32f(kWidth, kHeight, glm::vec4(glm::vec3(radiance), 1.0f)), 1, 1};
+  MeterGrid grid{
+      .real = common::ImageRgba32f(kWidth, kHeight, glm::vec4(glm::vec3(radiance), 1.0f)),
+      .white = {},
+      .step = 1,
+      .samples_per_side = 1};
   for (int i = 0; i < changed; ++i) {
     grid.real.pixels()[static_cast<std::size_t>(i)] = glm::vec4(glm::vec3(value), 1.0f);
   }
@@ -27,7 +31,9 @@ std::optional<float> metered_with(int changed, float value, float radiance = kRa
 }
 
 float grey() {
-  return scene::inverse_tone_map(glm::vec3(scene::srgb_decode(std::uint8_t{150})), 1.0f).x;
+  return scene::inverse_tone_map(glm::vec3(scene::srgb_decode(std::uint8_t{150})),
+                                 scene::tone_map_of(1.0f))
+      .x;
 }
 
 TEST(ExposureRange, BlackAndInfinitePixelsCountNotAtAll) {

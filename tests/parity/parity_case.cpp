@@ -95,10 +95,12 @@ reference::ReferenceRequest make_reference_request(const ParityCase& parity_case
   request.lights.insert(request.lights.end(), request.anchored.punctual_lights.begin(),
                         request.anchored.punctual_lights.end());
   request.camera_image = &parity_case.camera_image;
-  request.exposure = static_cast<double>(parity_case.exposure);
+  request.response.exposure = static_cast<double>(parity_case.exposure);
   request.settings.max_depth = parity_case.max_depth;
   request.settings.importance_cutoff = static_cast<double>(parity_case.importance_cutoff);
   request.samples_per_side = parity_case.samples_per_side;
+  request.response.linear = parity_case.linear_response;
+  request.settings.ratio = !parity_case.by_difference;
   if (parity_case.exact_fresnel) request.settings.fresnel = reference::Fresnel::Exact;
   return request;
 }

@@ -23,6 +23,8 @@ struct ParityCase {
   float exposure = 1.0f;
   int samples_per_side = 1;
   bool exact_fresnel = false;
+  bool by_difference = false;    // real surfaces as in eq. 4.5, otherwise by ratio
+  bool linear_response = false;  // of the camera, otherwise Reinhard's
   int max_depth = 10;
   // Below the renderer's default, so that more of the tracer is compared.
   float importance_cutoff = 0.004f;

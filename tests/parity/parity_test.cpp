@@ -130,6 +130,21 @@ TEST(ParityOfEverything, OneSampleAPixel) {
   expect_parity_in_both_modes(make_everything_case(), {}, "everything");
 }
 
+// The thesis's eq. 4.5.
+TEST(ParityOfEverything, ByDifference) {
+  ParityCase parity_case = make_everything_case();
+  parity_case.name += " by difference";
+  parity_case.by_difference = true;
+  expect_parity_in_both_modes(parity_case, {}, "everything-by-difference");
+}
+
+TEST(ParityOfEverything, OfALinearCamera) {
+  ParityCase parity_case = make_everything_case();
+  parity_case.name += " linear";
+  parity_case.linear_response = true;
+  expect_parity_in_both_modes(parity_case, {}, "everything-linear");
+}
+
 TEST(ParityOfEverything, UnderWater) {
   ParityCase parity_case = make_everything_case();
   parity_case.name += " under water";

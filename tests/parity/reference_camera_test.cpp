@@ -43,7 +43,7 @@ struct MirrorOnFloor {
     request.anchored = rig.anchored();
     request.anchored.camera_from_world = look_at({0.1, 2.0, 2.0}, {0.0, 0.3, -0.5});
     request.camera_image = &image;
-    request.exposure = 0.7;
+    request.response.exposure = 0.7;
     request.lights = {test_support::make_sun({0.0f, 0.5f, 1.0f})};
   }
   ReferenceImages render() const { return render_reference(rig.world(), nullptr, request); }
@@ -161,10 +161,12 @@ TEST(ReferenceCamera, CurvesAreInvertible) {
   }
   for (const double exposure : {0.1, 1.0, 30.0}) {
     for (double d = 0.0; d < 0.99; d += 0.01) {
-      EXPECT_NEAR(tone_map(inverse_tone_map(Color(d), exposure), exposure).r, d, 1e-14);
+      EXPECT_NEAR(tone_map(inverse_tone_map(Color(d), {exposure}), {exposure}).r, d, 1e-14);
     }
   }
-  EXPECT_NEAR(tone_map(Color(1.0), 1.0).g, 0.5, 1e-15);
+  EXPECT_NEAR(tone_map(Color(1.0), {1.0}).g, 0.5, 1e-15);
+  EXPECT_EQ(tone_map(Color(0.25), {2.0, true}).g, 0.5);
+  EXPECT_EQ(tone_map(Color(3.0), {2.0, true}).g, 1.0);
   EXPECT_NEAR(srgb_decode(0.5), 0.21404114048223255, 1e-12);
 }
 

@@ -14,6 +14,8 @@ frame::RendererSettings settings_of(const ParityCase& parity_case,
   settings.samples_per_pixel = parity_case.samples_per_side * parity_case.samples_per_side;
   settings.trace.max_depth = parity_case.max_depth;
   settings.trace.importance_cutoff = parity_case.importance_cutoff;
+  if (parity_case.by_difference) settings.real_surfaces = scene::RealSurfaces::Difference;
+  if (parity_case.linear_response) settings.tone_curve = scene::ToneCurve::Linear;
   if (parity_case.exact_fresnel) settings.trace.fresnel = trace::FresnelModel::Exact;
   return settings;
 }

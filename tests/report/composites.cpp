@@ -20,7 +20,7 @@ common::ImageRgb8 camera_image_of(const frame::FrameInput& input) {
 }
 
 float metered_exposure(const bench::BenchCase& bench_case) {
-  return bench::RenderRig(bench_case, bench::default_settings()).render().statistics.exposure;
+  return bench::RenderRig(bench_case, bench::default_settings()).render().statistics.exposure.y;
 }
 
 }  // namespace amalgam::report

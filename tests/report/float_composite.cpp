@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "passes/image/warp.h"
-#include "scene/light/tone_map.h"
+#include "scene/light/real_surfaces.h"
 
 namespace amalgam::report {
 namespace {
@@ -12,10 +12,14 @@ float shown(float value) {
   return std::isfinite(value) ? std::clamp(value, 0.0f, 1.0f) : value;
 }
 
-glm::vec3 composed(const glm::vec4& over, const glm::vec3& difference, const common::Rgb8& camera) {
-  const glm::vec3 light =
-      glm::vec3(over) + (1.0f - over.w) * scene::srgb_decode(camera) + difference;
+glm::vec3 shown(const glm::vec3& light) {
   return {shown(light.r), shown(light.g), shown(light.b)};
+}
+
+glm::vec3 composed(const core::LayerPixel& pixel, const common::Rgb8& camera) {
+  const glm::vec3 lit = scene::scale_light(scene::srgb_decode(camera), pixel.light_ratio(),
+                                           scene::ToneCurve::Reinhard);
+  return shown(glm::vec3(pixel.over) + (1.0f - pixel.over.w) * lit + pixel.difference);
 }
 
 }  // namespace
@@ -25,7 +29,7 @@ common::ImageRgb32f float_composite(const core::Layers& layers,
   common::ImageRgb32f result(camera_image.width(), camera_image.height());
   for (int y = 0; y < result.height(); ++y) {
     for (int x = 0; x < result.width(); ++x) {
-      result.at(x, y) = composed(layers.over(x, y), layers.difference(x, y), camera_image.at(x, y));
+      result.at(x, y) = composed(layers.at(x, y), camera_image.at(x, y));
     }
   }
   return result;
@@ -36,8 +40,8 @@ common::ImageRgb32f float_composite(const reference::Layers& layers,
   common::ImageRgb32f result(camera_image.width(), camera_image.height());
   for (int y = 0; y < result.height(); ++y) {
     for (int x = 0; x < result.width(); ++x) {
-      result.at(x, y) = composed(glm::vec4(layers.over.at(x, y)),
-                                 glm::vec3(layers.difference.at(x, y)), camera_image.at(x, y));
+      result.at(x, y) =
+          shown(glm::vec3(reference::composite_color(layers, camera_image, x, y, {})));
     }
   }
   return result;
@@ -45,16 +49,18 @@ common::ImageRgb32f float_composite(const reference::Layers& layers,
 
 core::Layers frame_layers(const frame::FrameBuffers& buffers, glm::ivec2 camera_size,
                           float render_scale) {
-  const auto over = buffers.find("over"), difference = buffers.find("difference");
-  if (over == buffers.end() || difference == buffers.end()) return core::Layers(camera_size);
+  const auto over = buffers.find("over"), difference = buffers.find("difference"),
+             ratio = buffers.find("light_ratio");
+  if (over == buffers.end()) return core::Layers(camera_size);
   const auto& a = std::get<common::ImageRgba32f>(over->second);
   const auto& d = std::get<common::ImageRgb32f>(difference->second);
+  const auto& q = std::get<common::ImageRgb32f>(ratio->second);
   core::Layers layers(a.size());
   for (int y = 0; y < a.height(); ++y) {
     for (int x = 0; x < a.width(); ++x) {
-      if (a.at(x, y) != glm::vec4(0.0f) || d.at(x, y) != glm::vec3(0.0f)) {
-        layers.set(x, y, a.at(x, y), d.at(x, y));
-      }
+      const float uncovered = 1.0f - a.at(x, y).w;
+      const core::LayerPixel pixel{a.at(x, y), d.at(x, y), uncovered * (q.at(x, y) - 1.0f)};
+      if (!pixel.is_zero()) layers.set(x, y, pixel);
     }
   }
   if (render_scale == 1.0f) return layers;

@@ -1,5 +1,5 @@
-// The composite before it becomes bytes: I_f = A + (1 - a) I_c + D (eq. 4.5 in layers), in
-// display-linear light and as a display shows it, in [0, 1].
+// The composite before it becomes bytes (core/layers.h), in display-linear light and as a display
+// shows it, in [0, 1]. With Reinhard's curve.
 #pragma once
 
 #include "common/image.h"

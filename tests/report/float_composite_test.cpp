@@ -16,7 +16,7 @@ common::ImageRgb8 camera_image() {
 // Half covered, with a shadow on the rest.
 TEST(FloatComposite, IsEquation45) {
   core::Layers layers({kSide, kSide});
-  layers.set(3, 2, {0.2f, 0.1f, 0.0f, 0.5f}, {-0.05f, 0.0f, 0.01f});
+  layers.set(3, 2, {{0.2f, 0.1f, 0.0f, 0.5f}, {-0.05f, 0.0f, 0.01f}});
   const common::ImageRgb32f composite = float_composite(layers, camera_image());
   const glm::vec3 camera = scene::srgb_decode(common::Rgb8(128, 64, 200));
   const glm::vec3 expected =
@@ -27,13 +27,12 @@ TEST(FloatComposite, IsEquation45) {
 
 TEST(FloatComposite, IsWhatADisplayShows) {
   core::Layers layers({kSide, kSide});
-  layers.set(0, 0, {1.5f, 0.0f, 0.0f, 1.0f}, {0.0f, -0.5f, 0.25f});
+  layers.set(0, 0, {{1.5f, 0.0f, 0.0f, 1.0f}, {0.0f, -0.5f, 0.25f}});
   EXPECT_EQ(float_composite(layers, camera_image()).at(0, 0), glm::vec3(1.0f, 0.0f, 0.25f));
 }
 
 TEST(FloatComposite, OfTheReferencesLayersToo) {
-  reference::Layers layers{common::Image<reference::Vec4>(kSide, kSide, reference::Vec4(0.0)),
-                           common::Image<reference::Color>(kSide, kSide, reference::Color(0.0))};
+  reference::Layers layers = reference::Layers::zero(kSide, kSide);
   layers.over.at(1, 4) = {0.25, 0.5, 0.75, 1.0};
   layers.difference.at(2, 4) = {-1.0, 0.0, 0.0};
   const common::ImageRgb32f composite = float_composite(layers, camera_image());
@@ -54,8 +53,8 @@ TEST(FloatComposite, SmallLayersAreScaledUp) {
       {"difference", common::ImageRgb32f(kSmall, kSmall)}};
   const core::Layers layers = frame_layers(buffers, {kSide, kSide}, 0.5f);
   ASSERT_EQ(layers.size(), glm::ivec2(kSide));
-  EXPECT_NEAR(layers.over(0, 0).r, 0.3f, 1e-6f);
-  EXPECT_NEAR(layers.over(kSide - 1, kSide - 1).w, 1.0f, 1e-6f);
+  EXPECT_NEAR(layers.at(0, 0).over.r, 0.3f, 1e-6f);
+  EXPECT_NEAR(layers.at(kSide - 1, kSide - 1).over.w, 1.0f, 1e-6f);
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ common::ImageRgb32f render(const bench::BenchCase& bench_case, double exposure,
   request.lights.insert(request.lights.end(), request.anchored.punctual_lights.begin(),
                         request.anchored.punctual_lights.end());
   request.camera_image = &camera_image;
-  request.exposure = exposure;
+  request.response.exposure = exposure;
   request.samples_per_side = spec.samples_per_side;
   request.settings.max_depth = spec.max_depth;
   request.settings.importance_cutoff = spec.importance_cutoff;

@@ -45,7 +45,8 @@ struct TruthPair {
 // How the pictures were made: which light, and by which response of the camera.
 //   full    all light transport
 //   direct  without caustics and without light from one diffuse surface to another
-inline constexpr const char* kKinds[] = {"full-linear", "full-reinhard", "direct-reinhard"};
+inline constexpr const char* kKinds[] = {"full-linear", "full-reinhard", "direct-linear",
+                                         "direct-reinhard"};
 
 std::vector<TruthCase> truth_cases();
 std::vector<Environment> environments();

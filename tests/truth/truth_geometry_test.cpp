@@ -19,7 +19,7 @@ TEST_P(TruthGeometry, SilhouettesAgreeToAPixel) {
     GTEST_SKIP() << GetParam().scene_path << " is missing: deploy/fetch_assets.sh makes it";
   }
   const common::ImageRgb8 expected = load_mask(GetParam());
-  TruthRenderer renderer(GetParam(), methods().front());
+  TruthRenderer renderer(GetParam(), by_default());
   renderer.light_by(environments().front());
   const common::Image32f actual =
       renderer.virtual_mask(load_pair(GetParam(), environments().front(), kKinds[0]).camera);

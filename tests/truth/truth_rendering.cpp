@@ -5,15 +5,35 @@
 
 namespace amalgam::truth {
 
-std::vector<Method> methods() {
-  const frame::RendererSettings default_settings;
-  frame::RendererSettings thesis, many_lights;
-  thesis.env_lights = scene::parse_env_light_options("sectors");
-  many_lights.env_lights = scene::parse_env_light_options("median-cut:64");
-  std::vector<Method> list{{"default", default_settings}, {"64 lights", many_lights}};
-  if (thesis.env_lights != default_settings.env_lights) {
-    list.push_back({"eq. 4.5, 8 lights", thesis});
-  }
+Method by_default() {
+  return {"default", {}};
+}
+
+Method with_64_lights() {
+  Method method{"64 lights", {}};
+  method.settings.env_lights = scene::parse_env_light_options("median-cut:64");
+  return method;
+}
+
+Method of_the_thesis() {
+  Method method{"eq. 4.5, 8 lights", {}};
+  method.settings.env_lights = scene::parse_env_light_options("sectors");
+  method.settings.real_surfaces = scene::RealSurfaces::Difference;
+  method.settings.exposure_card = passes::ExposureCard::Grey;
+  method.settings.tone_curve = scene::ToneCurve::Reinhard;
+  return method;
+}
+
+std::vector<Method> parts_off() {
+  std::vector<Method> list;
+  const auto without = [&](const char* name, auto change) {
+    list.push_back({name, with_64_lights().settings});
+    change(list.back().settings);
+  };
+  without("8 lights", [](auto& s) { s.env_lights = of_the_thesis().settings.env_lights; });
+  without("difference", [](auto& s) { s.real_surfaces = scene::RealSurfaces::Difference; });
+  without("grey card", [](auto& s) { s.exposure_card = passes::ExposureCard::Grey; });
+  without("always reinhard", [](auto& s) { s.tone_curve = scene::ToneCurve::Reinhard; });
   return list;
 }
 

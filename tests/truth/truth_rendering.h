@@ -15,9 +15,14 @@ struct Method {
   frame::RendererSettings settings;
 };
 
-// The default settings; 64 lights; and the thesis's eq. 4.5 with its eight lights, if that is not
-// the default, which it is today.
-std::vector<Method> methods();
+Method by_default();
+// The default, but for more lights: slower, and nearer to the truth.
+Method with_64_lights();
+// Eq. 4.5 with its eight lights: by difference, the real surfaces for a grey card, Reinhard's
+// curve.
+Method of_the_thesis();
+// 64 lights, each time with one part switched off.
+std::vector<Method> parts_off();
 
 // One scene with one method. Belongs to the thread that made it.
 class TruthRenderer {

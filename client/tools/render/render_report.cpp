@@ -68,7 +68,10 @@ void print_json(std::ostream& out, const std::vector<frame::FrameOutput>& frames
   json["nonfinite"] = last.nonfinite;
   json["truncation_bound"] = {{"mean", last.truncation_bound.mean},
                               {"worst", last.truncation_bound.worst}};
-  json["exposure"] = last.exposure;
+  const glm::vec3& exposure = last.exposure;
+  json["exposure"] = exposure.y;
+  json["tone_map"] = last.tone_curve;
+  json["white_balance"] = {exposure.x / exposure.y, 1.0f, exposure.z / exposure.y};
   if (last.quality) json["quality"] = quality_json(*last.quality);
   json["unchanged"] = frames.back().unchanged;
   json["frames"] = frames.size();

@@ -10,7 +10,8 @@ namespace amalgam::tools {
 
 // One JSON object: stages_ms (per stage, min and median over the frames), rays, passes, pixels,
 // provenance (pixels' shares by source of light), nonfinite, truncation_bound (mean, worst),
-// exposure, unchanged, and quality (of the last frame) if there is a target frame rate.
+// exposure (green), white_balance (the channels' exposures over green's), tone_map (the curve),
+// unchanged, and quality (of the last frame) if there is a target frame rate.
 void print_json(std::ostream& out, const std::vector<frame::FrameOutput>& frames);
 
 // Each pass with its time, or why it was left out.

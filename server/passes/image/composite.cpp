@@ -6,11 +6,21 @@
 #include <utility>
 #include <vector>
 
-#include "scene/light/tone_map.h"
+#include "scene/light/real_surfaces.h"
 
 namespace amalgam::passes {
 
-common::ImageRgb8 composite(const core::Layers& layers, common::ImageRgb8 image) {
+namespace {
+
+glm::vec3 compose(const core::LayerPixel& pixel, const glm::vec3& camera, scene::ToneCurve curve) {
+  const glm::vec3 lit = scene::scale_light(camera, pixel.light_ratio(), curve);
+  return glm::vec3(pixel.over) + (1.0f - pixel.over.w) * lit + pixel.difference;
+}
+
+}  // namespace
+
+common::ImageRgb8 composite(const core::Layers& layers, common::ImageRgb8 image,
+                            scene::ToneCurve curve) {
   AMALGAM_CHECK(layers.size() == image.size(),
                 "layers are " + std::to_string(layers.size().x) + "x" +
                     std::to_string(layers.size().y) + ", the camera image is " +
@@ -22,12 +32,10 @@ common::ImageRgb8 composite(const core::Layers& layers, common::ImageRgb8 image)
     const glm::ivec2 end = layers.grid().end_pixel(tiles[i]);
     for (int y = first.y; y < end.y; ++y) {
       for (int x = first.x; x < end.x; ++x) {
-        const glm::vec4& over = tile.over[core::LayerTile::index(x, y)];
-        const glm::vec3& difference = tile.difference[core::LayerTile::index(x, y)];
-        if (over == glm::vec4(0.0f) && difference == glm::vec3(0.0f)) continue;
+        const core::LayerPixel& layer = tile.at(x, y);
+        if (layer.is_zero()) continue;
         common::Rgb8& pixel = image.at(x, y);
-        const glm::vec3 camera = scene::srgb_decode(pixel);
-        pixel = scene::srgb_encode(glm::vec3(over) + (1.0f - over.w) * camera + difference);
+        pixel = scene::srgb_encode(compose(layer, scene::srgb_decode(pixel), curve));
       }
     }
   });
@@ -42,6 +50,7 @@ graph::Handle<Composite> add_composite_pass(graph::FrameGraph& graph, const Comp
     builder.needs(in.layers);
   }
   builder.needs(in.camera_image);
+  builder.needs(in.tone_map);
   const auto out = builder.writes<Composite>("composite");
   builder.runs([in, out](const graph::Access& access) {
     common::ImageRgb8 image = access.take(in.camera_image).pixels;
@@ -49,7 +58,7 @@ graph::Handle<Composite> add_composite_pass(graph::FrameGraph& graph, const Comp
     std::vector<std::uint8_t> changed(core::TileGrid(image.size()).count());
     if (layers != nullptr) {
       for (const std::size_t tile : layers->present()) changed[tile] = 1;
-      image = composite(*layers, std::move(image));
+      image = composite(*layers, std::move(image), access.get(in.tone_map).curve);
     }
     access.set(out, Composite{std::move(image), std::move(changed)});
   });

@@ -1,32 +1,81 @@
 #include "passes/image/exposure.h"
 
 #include <cmath>
+#include <glm/exponential.hpp>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "passes/image/exposure_meter.h"
 
 namespace amalgam::passes {
+namespace {
 
-float ExposureMemory::update(std::optional<float> reading) {
+std::optional<glm::vec3> exposure_of(const MeterReading& reading, const glm::vec3& paper_to_grey) {
+  if (reading.paper) return reading.paper;
+  if (reading.grey) return *reading.grey * paper_to_grey;
+  return std::nullopt;
+}
+
+scene::ToneMap meter(const ExposureInputs& in, const MeterGrid* grid,
+                     const common::ImageRgb8& image) {
+  std::vector<PaperSample> paper;
+  if (grid != nullptr) paper = sample_paper(*grid, in.markers, in.ideal, in.camera, image);
+  const scene::ToneCurve curve =
+      in.curve ? *in.curve : in.memory.update_curve(evidence_for_linear(paper));
+  MeterReading reading;
+  if (grid != nullptr) reading.grey = meter_exposure(*grid, in.ideal, in.camera, image, curve);
+  if (in.card == ExposureCard::Paper) reading.paper = meter_paper(paper, curve);
+  if (reading.paper && !in.white_balance) reading.paper = glm::vec3(reading.paper->y);
+  return {in.memory.update(reading), curve};
+}
+
+}  // namespace
+
+ExposureCard parse_exposure_card(std::string_view text) {
+  for (const ExposureCard card : {ExposureCard::Paper, ExposureCard::Grey}) {
+    if (text == exposure_card_name(card)) return card;
+  }
+  throw std::invalid_argument("meter '" + std::string(text) + "' is neither paper nor grey");
+}
+
+const char* exposure_card_name(ExposureCard card) {
+  return card == ExposureCard::Paper ? "paper" : "grey";
+}
+
+glm::vec3 ExposureMemory::update(const MeterReading& reading) {
   constexpr float kShare = 0.25f;
-  if (!reading) return last_.value_or(1.0f);
-  last_ = last_ ? *last_ * std::pow(*reading / *last_, kShare) : *reading;
+  if (reading.paper && reading.grey) paper_to_grey_ = *reading.paper / *reading.grey;
+  const std::optional<glm::vec3> now = exposure_of(reading, paper_to_grey_);
+  if (!now) return last_.value_or(glm::vec3(1.0f));
+  last_ = last_ ? *last_ * glm::pow(*now / *last_, glm::vec3(kShare)) : *now;
   return *last_;
 }
 
-graph::Handle<float> add_exposure_pass(graph::FrameGraph& graph, const ExposureInputs& in) {
+scene::ToneCurve ExposureMemory::update_curve(const std::optional<float>& evidence_for_linear) {
+  constexpr float kStrong = 0.5f;
+  if (!evidence_for_linear) return curve_.value_or(scene::ToneCurve::Reinhard);
+  const scene::ToneCurve likelier =
+      *evidence_for_linear > 0.0f ? scene::ToneCurve::Linear : scene::ToneCurve::Reinhard;
+  if (curve_ && (likelier == *curve_ || std::abs(*evidence_for_linear) < kStrong)) return *curve_;
+  curve_ = likelier;
+  last_.reset();
+  return *curve_;
+}
+
+graph::Handle<scene::ToneMap> add_exposure_pass(graph::FrameGraph& graph,
+                                                const ExposureInputs& in) {
   if (in.fixed) {
     graph.note_left_out("exposure", "the exposure is fixed");
-    return graph.import("exposure", *in.fixed);
+    return graph.import(
+        "tone map", scene::tone_map_of(*in.fixed, in.curve.value_or(scene::ToneCurve::Reinhard)));
   }
   graph::Builder builder = graph.add_pass("exposure");
   builder.needs(in.camera_image);
   builder.uses(in.grid);
-  const auto out = builder.writes<float>("exposure");
+  const auto out = builder.writes<scene::ToneMap>("tone map");
   builder.runs([in, out](const graph::Access& access) {
-    const MeterGrid* grid = access.find(in.grid);
-    std::optional<float> reading;
-    if (grid != nullptr) {
-      reading = meter_exposure(*grid, in.ideal, in.camera, access.get(in.camera_image).pixels);
-    }
-    access.set(out, in.memory.update(reading));
+    access.set(out, meter(in, access.find(in.grid), access.get(in.camera_image).pixels));
   });
   return out;
 }

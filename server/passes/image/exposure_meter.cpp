@@ -10,20 +10,11 @@
 namespace amalgam::passes {
 namespace {
 
-float luminance(const glm::vec3& rgb) {
-  return glm::dot(rgb, glm::vec3(0.2126f, 0.7152f, 0.0722f));
-}
-
 // The camera image's pixel at a grid entry, if it is inside.
 std::optional<glm::ivec2> camera_pixel(const MeterGrid& grid, int x, int y,
                                        const common::CameraModel& ideal,
                                        const common::CameraModel& camera) {
-  const int n = grid.samples_per_side;
-  const auto sample = [&](int i, int side) {
-    return (std::min(i * grid.step + grid.step / 2, side * n - 1) + 0.5) / n - 0.5;
-  };
-  const auto direction =
-      common::pixel_direction(ideal, {sample(x, ideal.width), sample(y, ideal.height)});
+  const auto direction = common::pixel_direction(ideal, grid.ideal_pixel(x, y, ideal));
   const auto at = direction ? common::project(camera, *direction) : std::nullopt;
   if (!at) return std::nullopt;
   const glm::ivec2 pixel(std::lround(at->x), std::lround(at->y));
@@ -34,18 +25,23 @@ std::optional<glm::ivec2> camera_pixel(const MeterGrid& grid, int x, int y,
 
 }  // namespace
 
-int meter_step(glm::ivec2 sample_size) {
-  constexpr double kEntries = 5000.0;
-  const double area = static_cast<double>(sample_size.x) * sample_size.y;
-  return std::max(1, static_cast<int>(std::ceil(std::sqrt(area / kEntries))));
+float darkest_metered() {
+  return scene::srgb_decode(8.0f / 255.0f);
+}
+
+float brightest_metered() {
+  return scene::srgb_decode(250.0f / 255.0f);
+}
+
+float luminance(const glm::vec3& rgb) {
+  return glm::dot(rgb, glm::vec3(0.2126f, 0.7152f, 0.0722f));
 }
 
 std::optional<float> meter_exposure(const MeterGrid& grid, const common::CameraModel& ideal,
                                     const common::CameraModel& camera,
-                                    const common::ImageRgb8& image) {
-  // Outside these bytes the camera clips or is mostly noise.
-  constexpr float kDarkest = 8.0f / 255.0f, kBrightest = 250.0f / 255.0f;
-  const float dark = scene::srgb_decode(kDarkest), bright = scene::srgb_decode(kBrightest);
+                                    const common::ImageRgb8& image, scene::ToneCurve curve) {
+  const float dark = darkest_metered(), bright = brightest_metered();
+  const scene::ToneMap response = scene::tone_map_of(1.0f, curve);
   std::vector<float> ratios;
   for (int y = 0; y < grid.real.height(); ++y) {
     for (int x = 0; x < grid.real.width(); ++x) {
@@ -57,7 +53,7 @@ std::optional<float> meter_exposure(const MeterGrid& grid, const common::CameraM
       const glm::vec3 display = scene::srgb_decode(image.at(pixel->x, pixel->y));
       const float brightness = luminance(display);
       if (brightness < dark || brightness > bright) continue;
-      ratios.push_back(luminance(scene::inverse_tone_map(display, 1.0f)) / modelled);
+      ratios.push_back(luminance(scene::inverse_tone_map(display, response)) / modelled);
     }
   }
   if (ratios.empty()) return std::nullopt;

@@ -15,7 +15,8 @@ using KeptPaths = std::shared_ptr<const trace::TracedPaths>;
 struct LookUpInputs {
   graph::Handle<KeptPaths> paths;
   graph::Handle<CameraImage> camera_image;
-  graph::Handle<float> exposure;
+  graph::Handle<scene::ToneMap> tone_map;
+  scene::RealSurfaces real_surfaces = scene::RealSurfaces::Ratio;
 };
 
 graph::Handle<trace::TraceResult> add_look_up_pass(graph::FrameGraph& graph,

@@ -9,13 +9,17 @@ namespace amalgam::passes {
 namespace {
 
 bool shows_something(const core::Layers& layers, glm::ivec2 p) {
-  return layers.over(p.x, p.y) != glm::vec4(0.0f) || layers.difference(p.x, p.y) != glm::vec3(0.0f);
+  return !layers.at(p.x, p.y).is_zero();
 }
 
+// At least the step in the composite: a change of q changes a display-linear color by at most as
+// much.
 float layer_step(const core::Layers& layers, glm::ivec2 p, glm::ivec2 q) {
-  const glm::vec4 over = glm::abs(layers.over(p.x, p.y) - layers.over(q.x, q.y));
-  const glm::vec3 difference = glm::abs(layers.difference(p.x, p.y) - layers.difference(q.x, q.y));
-  return std::max({over.x, over.y, over.z, over.w, difference.x, difference.y, difference.z});
+  const core::LayerPixel a = layers.at(p.x, p.y), b = layers.at(q.x, q.y);
+  const glm::vec4 over = glm::abs(a.over - b.over);
+  const glm::vec3 real = glm::max(glm::abs(a.difference - b.difference),
+                                  glm::abs(a.relative_change - b.relative_change));
+  return std::max({over.x, over.y, over.z, over.w, real.x, real.y, real.z});
 }
 
 bool is_other_surface(const trace::FirstHits& hits, glm::ivec2 p, glm::ivec2 q) {
@@ -40,7 +44,7 @@ void replace_marked(core::Layers& layers, const core::Layers& refined,
   for (int y = 0; y < marked.height(); ++y) {
     for (int x = 0; x < marked.width(); ++x) {
       if (marked.at(x, y) == 0) continue;
-      layers.set(x, y, refined.over(x, y), refined.difference(x, y));
+      layers.set(x, y, refined.at(x, y));
     }
   }
 }

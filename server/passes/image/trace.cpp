@@ -24,7 +24,7 @@ graph::Handle<PlacedScene> add_place_instances_pass(graph::FrameGraph& graph,
 void declare_trace_reads(graph::Builder& builder, const TraceInputs& in) {
   builder.needs(in.scene);
   builder.needs(in.camera_image);
-  builder.needs(in.exposure);
+  builder.needs(in.tone_map);
   builder.uses(in.real_depth);
   builder.uses(in.virtual_shadows);
 }
@@ -52,7 +52,8 @@ trace::TraceResult trace_samples(const TraceInputs& in, const graph::Access& acc
       .virtual_shadows = virtual_shadows != nullptr ? virtual_shadows->get() : nullptr,
       .lookup = &lookup,
       .camera_image = &access.get(in.camera_image).pixels,
-      .exposure = access.get(in.exposure),
+      .tone_map = access.get(in.tone_map),
+      .real_surfaces = in.real_surfaces,
       .settings = in.settings,
       .keep_images = in.keep_images,
       .keep_provenance = in.keep_provenance,
@@ -76,6 +77,28 @@ graph::Handle<trace::TraceResult> add_trace_pass(graph::FrameGraph& graph, const
   return out;
 }
 
+namespace {
+
+// Depth 0: only directly seen surfaces matter.
+trace::TraceResult trace_meter(const TracedMeterInputs& in, const graph::Access& access,
+                               const common::Image<std::uint8_t>& mask, bool white_surfaces) {
+  return trace::trace({
+      .scene = *access.get(in.scene).scene,
+      .lights = in.view.lights,
+      .environment = in.environment,
+      .camera = in.view.ideal,
+      .camera_from_world = in.view.scene.camera_from_world,
+      .samples_per_side = in.view.samples_per_side,
+      .mask = &mask,
+      .mask_bit = 1,
+      .white_surfaces = white_surfaces,
+      .settings = {.max_depth = 0},
+      .keep_images = true,
+  });
+}
+
+}  // namespace
+
 graph::Handle<MeterGrid> add_traced_meter_pass(graph::FrameGraph& graph,
                                                const TracedMeterInputs& in) {
   graph::Builder builder = graph.add_pass("meter");
@@ -91,26 +114,17 @@ graph::Handle<MeterGrid> add_traced_meter_pass(graph::FrameGraph& graph,
     for (int y = 0; y < entries.y; ++y) {
       for (int x = 0; x < entries.x; ++x) mask.at(entry(x, size.x), entry(y, size.y)) = 1;
     }
-    // Depth 0: only directly seen surfaces matter.
-    const trace::TraceResult traced = trace::trace({
-        .scene = *access.get(in.scene).scene,
-        .lights = in.view.lights,
-        .environment = in.environment,
-        .camera = in.view.ideal,
-        .camera_from_world = in.view.scene.camera_from_world,
-        .samples_per_side = n,
-        .mask = &mask,
-        .mask_bit = 1,
-        .settings = {.max_depth = 0},
-        .keep_images = true,
-    });
-    MeterGrid grid{common::ImageRgba32f(entries.x, entries.y), step, n};
-    for (int y = 0; y < entries.y; ++y) {
-      for (int x = 0; x < entries.x; ++x) {
-        grid.real.at(x, y) = traced.images->real.at(entry(x, size.x) / n, entry(y, size.y) / n);
+    const auto trace_grid = [&](bool white_surfaces) {
+      const trace::TraceResult traced = trace_meter(in, access, mask, white_surfaces);
+      common::ImageRgba32f grid(entries.x, entries.y);
+      for (int y = 0; y < entries.y; ++y) {
+        for (int x = 0; x < entries.x; ++x) {
+          grid.at(x, y) = traced.images->real.at(entry(x, size.x) / n, entry(y, size.y) / n);
+        }
       }
-    }
-    access.set(out, std::move(grid));
+      return grid;
+    };
+    access.set(out, MeterGrid{trace_grid(false), trace_grid(true), step, n});
   });
   return out;
 }

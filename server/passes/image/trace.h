@@ -6,7 +6,7 @@
 #include "graph/frame_graph.h"
 #include "passes/frame_resources.h"
 #include "passes/image/decode.h"
-#include "passes/image/exposure_meter.h"
+#include "passes/image/meter_grid.h"
 #include "scene/light/environment.h"
 #include "trace/tracer.h"
 
@@ -36,7 +36,8 @@ struct TraceInputs {
   graph::Handle<SampleMask> mask;  // may be absent: every sample is traced
   graph::Handle<PlacedScene> scene;
   graph::Handle<CameraImage> camera_image;
-  graph::Handle<float> exposure;
+  graph::Handle<scene::ToneMap> tone_map;
+  scene::RealSurfaces real_surfaces = scene::RealSurfaces::Ratio;
   // may be absent: look-ups then cast visibility rays
   graph::Handle<RealDepth> real_depth;
   graph::Handle<VirtualShadows> virtual_shadows;  // may be absent: every shadow ray is then cast

@@ -31,20 +31,16 @@ WarpMap::Bounds bounds_of(const common::Image<glm::vec2>& at, glm::ivec2 first, 
   return bounds;
 }
 
-struct Texel {
-  glm::vec4 over{0.0f};
-  glm::vec3 difference{0.0f};
-};
-
-Texel mix(const Texel& a, const Texel& b, float t) {
-  return {glm::mix(a.over, b.over, t), glm::mix(a.difference, b.difference, t)};
+core::LayerPixel mix(const core::LayerPixel& a, const core::LayerPixel& b, float t) {
+  return {glm::mix(a.over, b.over, t), glm::mix(a.difference, b.difference, t),
+          glm::mix(a.relative_change, b.relative_change, t)};
 }
 
 class LayerSampler {
  public:
   explicit LayerSampler(const Layers& layers) : layers_(layers) {}
 
-  Texel bilinear(const glm::vec2& at) const {
+  core::LayerPixel bilinear(const glm::vec2& at) const {
     const float floor_x = std::floor(at.x), floor_y = std::floor(at.y);
     const int x = static_cast<int>(floor_x), y = static_cast<int>(floor_y);
     const float fx = at.x - floor_x, fy = at.y - floor_y;
@@ -55,11 +51,9 @@ class LayerSampler {
       const core::LayerTile* tile = layers_.find(layers_.grid().tile_of(x, y));
       if (tile == nullptr) return {};
       const std::size_t upper = core::LayerTile::index(x, y), lower = upper + core::kTileSide;
-      const auto mixed = [&](const auto& values) {
-        return glm::mix(glm::mix(values[upper], values[upper + 1], fx),
-                        glm::mix(values[lower], values[lower + 1], fx), fy);
-      };
-      return {mixed(tile->over), mixed(tile->difference)};
+      const auto& pixels = tile->pixels;
+      return mix(mix(pixels[upper], pixels[upper + 1], fx),
+                 mix(pixels[lower], pixels[lower + 1], fx), fy);
     }
     return mix(mix(texel(x, y), texel(x + 1, y), fx), mix(texel(x, y + 1), texel(x + 1, y + 1), fx),
                fy);
@@ -81,12 +75,9 @@ class LayerSampler {
   }
 
  private:
-  Texel texel(int x, int y) const {
+  core::LayerPixel texel(int x, int y) const {
     if (x < 0 || y < 0 || x >= layers_.size().x || y >= layers_.size().y) return {};
-    const core::LayerTile* tile = layers_.find(layers_.grid().tile_of(x, y));
-    if (tile == nullptr) return {};
-    const std::size_t i = core::LayerTile::index(x, y);
-    return {tile->over[i], tile->difference[i]};
+    return layers_.at(x, y);
   }
 
   const Layers& layers_;
@@ -152,12 +143,10 @@ Layers warp_layers(const Layers& layers, const LayerPlacement& placement) {
       for (int x = first.x; x < end.x; ++x) {
         const glm::vec2 at = lens != nullptr ? lens->at.at(x, y) : glm::vec2(x, y);
         if (!is_near(at)) continue;
-        const Texel texel = sampler.bilinear(scaling(at));
-        if (texel.over == glm::vec4(0.0f) && texel.difference == glm::vec3(0.0f)) continue;
+        const core::LayerPixel pixel = sampler.bilinear(scaling(at));
+        if (pixel.is_zero()) continue;
         if (out == nullptr) out = &warped.make(tile);
-        const std::size_t i = core::LayerTile::index(x, y);
-        out->over[i] = texel.over;
-        out->difference[i] = texel.difference;
+        out->at(x, y) = pixel;
       }
     }
   });

@@ -93,6 +93,7 @@ void draw_shaded(const ShadingInputs& in, const graph::Access& access, const Sha
       program.set(gl::kLightCountLocation, light_count);
       program.set(gl::kShadowMapsPresentLocation, present);
       program.set(gl::kMaskStepLocation, shading.mask_step);
+      program.set(gl::kWhiteSurfacesLocation, shading.white_surfaces ? 1 : 0);
       program.set(gl::kSamplesOfTileLocation, core::kTileSide * in.view.samples_per_side);
     };
     tell(programs.plain);

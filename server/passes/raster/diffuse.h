@@ -48,6 +48,7 @@ struct Shading {
   const std::vector<LightSet>* lights = nullptr;
   int mask_step = 1;
   bool virtual_surfaces = true;
+  bool white_surfaces = false;  // as if all were white Lambertian ones without emission
 };
 
 // Draws both solutions of the diffuse surfaces into the bound framebuffer, for a pass that has

@@ -13,7 +13,8 @@ namespace {
 
 // Entry (x, y) is sample (x step + step / 2, y step + step / 2). Blocks that reach beyond the image
 // are left out. Entries that are not real and diffuse in the mask are 0.
-common::ImageRgba32f draw_grid(const RasterMeterInputs& in, const graph::Access& access, int step) {
+common::ImageRgba32f draw_grid(const RasterMeterInputs& in, const graph::Access& access, int step,
+                               bool white_surfaces) {
   const glm::ivec2 samples = sample_size(in.view);
   // A very narrow picture may be smaller than a step.
   const glm::ivec2 entries = glm::max(samples / step, 1);
@@ -33,7 +34,7 @@ common::ImageRgba32f draw_grid(const RasterMeterInputs& in, const graph::Access&
   glViewportIndexedf(0, shift, shift, static_cast<float>(samples.x) / static_cast<float>(step),
                      static_cast<float>(samples.y) / static_cast<float>(step));
   draw_shaded({in.raster, in.view, in.device_view, in.mask, in.shadows}, access,
-              {.mask_step = step, .virtual_surfaces = false});
+              {.mask_step = step, .virtual_surfaces = false, .white_surfaces = white_surfaces});
   return read_rgba(&real);
 }
 
@@ -50,7 +51,8 @@ graph::Handle<MeterGrid> add_raster_meter_pass(graph::FrameGraph& graph,
   const auto out = builder.writes<MeterGrid>("meter grid");
   builder.runs([in, out](const graph::Access& access) {
     const int step = meter_step(sample_size(in.view));
-    access.set(out, MeterGrid{draw_grid(in, access, step), step, in.view.samples_per_side});
+    access.set(out, MeterGrid{draw_grid(in, access, step, false), draw_grid(in, access, step, true),
+                              step, in.view.samples_per_side});
   });
   return out;
 }

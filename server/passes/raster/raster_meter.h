@@ -4,7 +4,7 @@
 
 #include "graph/frame_graph.h"
 #include "passes/frame_resources.h"
-#include "passes/image/exposure_meter.h"
+#include "passes/image/meter_grid.h"
 #include "passes/raster/diffuse.h"
 
 namespace amalgam::passes {

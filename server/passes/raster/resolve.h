@@ -1,11 +1,11 @@
-// Resolves the diffuse samples to the rasteriser's share of the layers (eq. 4.5 per sample, then
-// averaged over the n x n samples of a pixel):
+// Resolves the diffuse samples to the rasteriser's share of the layers (core/layers.h): of each
+// sample of a pixel
 //
-//   over       = mean(M_v TM(I_m)),  coverage = mean(M_v)
-//   difference = mean((1 - M_v) (TM(I_m) - TM(I_r)))
+//   virtual    TM(I_m) to A, and coverage
+//   real       what virtual objects change of its light to Q and D (scene/light/real_surfaces.h)
 //
-// with TM of scene/light/tone_map.h and one exposure for both images (numerics A4). Specular
-// samples and samples without a surface add zero. Only tiles that show something virtual exist.
+// averaged over the n x n samples. One tone map for both images (numerics A4). Specular samples and
+// samples without a surface add zero. Only tiles that show something virtual exist.
 #pragma once
 
 #include <cstdint>
@@ -13,13 +13,15 @@
 #include "graph/frame_graph.h"
 #include "passes/frame_resources.h"
 #include "passes/raster/effect.h"
+#include "scene/light/real_surfaces.h"
 
 namespace amalgam::passes {
 
 struct ResolveInputs {
   const RenderView& view;
   graph::Handle<DiffuseEffect> effect;  // if absent, all layers would be zero
-  graph::Handle<float> exposure;
+  graph::Handle<scene::ToneMap> tone_map;
+  scene::RealSurfaces real_surfaces;
 };
 
 struct ResolveOutputs {

@@ -4,7 +4,10 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <glm/common.hpp>
 #include <limits>
+#include <stdexcept>
+#include <string>
 
 namespace amalgam::scene {
 namespace {
@@ -77,14 +80,39 @@ float expand(float d) {
   return clamped / (1.0f - clamped);
 }
 
-glm::vec3 tone_map(const glm::vec3& scene_linear, float exposure) {
-  return {compress(exposure * scene_linear.x), compress(exposure * scene_linear.y),
-          compress(exposure * scene_linear.z)};
+ToneCurve parse_tone_curve(std::string_view text) {
+  for (const ToneCurve curve : kToneCurves) {
+    if (text == tone_curve_name(curve)) return curve;
+  }
+  throw std::invalid_argument("tone map '" + std::string(text) +
+                              "' is neither reinhard nor linear");
 }
 
-glm::vec3 inverse_tone_map(const glm::vec3& display_linear, float exposure) {
-  return glm::vec3(expand(display_linear.x), expand(display_linear.y), expand(display_linear.z)) /
-         exposure;
+const char* tone_curve_name(ToneCurve curve) {
+  return curve == ToneCurve::Linear ? "linear" : "reinhard";
+}
+
+glm::vec3 tone_map(const glm::vec3& scene_linear, const ToneMap& tone_map) {
+  const glm::vec3 exposed = tone_map.exposure * scene_linear;
+  if (tone_map.curve == ToneCurve::Linear) return glm::min(exposed, glm::vec3(1.0f));
+  return {compress(exposed.x), compress(exposed.y), compress(exposed.z)};
+}
+
+glm::vec3 inverse_tone_map(const glm::vec3& display_linear, const ToneMap& tone_map) {
+  const glm::vec3& d = display_linear;
+  const glm::vec3 exposed = tone_map.curve == ToneCurve::Linear
+                                ? glm::clamp(d, 0.0f, 1.0f)
+                                : glm::vec3(expand(d.x), expand(d.y), expand(d.z));
+  return exposed / tone_map.exposure;
+}
+
+glm::vec3 tone_map_step(const glm::vec3& a, const glm::vec3& b, const ToneMap& tone_map) {
+  const glm::vec3& e = tone_map.exposure;
+  if (tone_map.curve == ToneCurve::Linear) {
+    return glm::min(e * b, glm::vec3(1.0f)) - glm::min(e * a, glm::vec3(1.0f));
+  }
+  // One division instead of two.
+  return e * (b - a) / ((1.0f + e * a) * (1.0f + e * b));
 }
 
 float srgb_decode(std::uint8_t byte) {

@@ -1,24 +1,52 @@
-// The invertible tone curve from scene-linear radiance to display-linear values, and the sRGB
-// encoding.
+// The camera's response: a tone curve from scene-linear radiance to display-linear values, and the
+// sRGB encoding.
 //
-// TM(L) = e L / (1 + e L) per channel, e the exposure; the same e for I_m and I_r (numerics A4).
+//   Reinhard   TM(L) = e L / (1 + e L)     invertible; the thesis's framework
+//   Linear     TM(L) = min(e L, 1)         clips, as most cameras do
+//
+// per channel, e the exposure. The same e for I_m and I_r (numerics A4).
 #pragma once
 
+#include <cstdint>
 #include <glm/vec3.hpp>
+#include <string_view>
 
 #include "common/image.h"
 
 namespace amalgam::scene {
 
-// x / (1 + x), written so that infinity gives 1 and small x keep their digits (numerics B17).
+enum class ToneCurve : std::uint8_t { Reinhard, Linear };
+inline constexpr ToneCurve kToneCurves[] = {ToneCurve::Reinhard, ToneCurve::Linear};
+
+// Throws std::invalid_argument naming the choices.
+ToneCurve parse_tone_curve(std::string_view text);
+const char* tone_curve_name(ToneCurve curve);
+
+struct ToneMap {
+  glm::vec3 exposure{1.0f};  // of each channel: brightness and white balance
+  ToneCurve curve = ToneCurve::Reinhard;
+  bool operator==(const ToneMap&) const = default;
+};
+
+// Without white balance.
+inline ToneMap tone_map_of(float exposure, ToneCurve curve = ToneCurve::Reinhard) {
+  return {glm::vec3(exposure), curve};
+}
+
+// Reinhard's x / (1 + x), written so that infinity gives 1 and small x keep their digits (numerics
+// B17).
 float compress(float x);
 
 // Its inverse d / (1 - d). d is clamped to [0, linear(254.5 / 255)], where the inverse is still
 // finite.
 float expand(float d);
 
-glm::vec3 tone_map(const glm::vec3& scene_linear, float exposure);
-glm::vec3 inverse_tone_map(const glm::vec3& display_linear, float exposure);
+glm::vec3 tone_map(const glm::vec3& scene_linear, const ToneMap& tone_map);
+// Of clipped values, Linear gives the least radiance that clips.
+glm::vec3 inverse_tone_map(const glm::vec3& display_linear, const ToneMap& tone_map);
+
+// TM(b) - TM(a) for a <= b, without cancellation where they are near.
+glm::vec3 tone_map_step(const glm::vec3& a, const glm::vec3& b, const ToneMap& tone_map);
 
 // IEC 61966-2-1. Bytes survive decode and encode exactly.
 float srgb_decode(std::uint8_t byte);

@@ -67,7 +67,7 @@ BenchCase error_case(const BenchScenes& scenes, const ThesisRow& row) {
 
 // Fixed, or two renderers would meter a little differently.
 float metered_exposure(const BenchCase& bench_case) {
-  return RenderRig(bench_case, default_settings()).render().statistics.exposure;
+  return RenderRig(bench_case, default_settings()).render().statistics.exposure.y;
 }
 
 common::ImageRgb8 render_pixels(const BenchCase& bench_case,

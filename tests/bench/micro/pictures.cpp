@@ -28,7 +28,7 @@ void benchmark_composite(benchmark::State& state) {
   core::Layers layers({kWidth, kHeight});
   for (int y = kHeight / 2; y < kHeight * 5 / 8; ++y) {
     for (int x = 0; x < kWidth; ++x) {
-      layers.set(x, y, {0.3f, 0.4f, 0.5f, 1.0f}, glm::vec3(0.0f));
+      layers.set(x, y, {{0.3f, 0.4f, 0.5f, 1.0f}, glm::vec3(0.0f)});
     }
   }
   const common::ImageRgb8& camera_image = desk_picture();

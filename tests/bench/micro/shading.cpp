@@ -67,8 +67,9 @@ void benchmark_tone_map(benchmark::State& state) {
   const auto inputs = make_inputs<glm::vec3>([](std::size_t i) {
     return glm::vec3(scattered(i), scattered(3 * i), scattered(5 * i)) * 4.0f;
   });
-  call_again_and_again(state, inputs,
-                       [](const glm::vec3& light) { return scene::tone_map(light, 0.8f); });
+  call_again_and_again(state, inputs, [](const glm::vec3& light) {
+    return scene::tone_map(light, scene::tone_map_of(0.8f));
+  });
 }
 
 void benchmark_srgb_encode(benchmark::State& state) {

@@ -39,7 +39,7 @@ LookUp look_up(const World& world, const CameraView& view, const Vec3& point,
   if (trust == 0.0) return {};
   const double distance = glm::length(way);
   if (hidden_by_real_object(world, ray_from_surface(point, way / distance, distance))) return {};
-  return {trust, inverse_tone_map(sample_camera_image(*view.image, *pixel), view.exposure)};
+  return {trust, inverse_tone_map(sample_camera_image(*view.image, *pixel), view.response)};
 }
 
 }  // namespace amalgam::reference

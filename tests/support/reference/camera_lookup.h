@@ -4,6 +4,7 @@
 
 #include "common/camera_model.h"
 #include "common/image.h"
+#include "support/reference/color_curves.h"
 #include "support/reference/world.h"
 
 namespace amalgam::reference {
@@ -12,7 +13,7 @@ struct CameraView {
   const common::ImageRgb8* image = nullptr;  // size of the camera
   common::CameraModel camera;                // with distortion
   glm::dmat4 camera_from_world{1.0};
-  double exposure = 1.0;
+  Response response;
 };
 
 struct LookUp {

@@ -31,15 +31,16 @@ std::uint8_t srgb_encode_byte(double display_linear) {
   return static_cast<std::uint8_t>(std::lround(255.0 * srgb_encode(clamped)));
 }
 
-Color tone_map(const Color& scene_linear, double exposure) {
-  const Color x = exposure * scene_linear;
-  return x / (1.0 + x);
+Color tone_map(const Color& scene_linear, const Response& response) {
+  const Color x = response.exposure * scene_linear;
+  return response.linear ? glm::min(x, Color(1.0)) : x / (1.0 + x);
 }
 
-Color inverse_tone_map(const Color& display_linear, double exposure) {
+Color inverse_tone_map(const Color& display_linear, const Response& response) {
+  if (response.linear) return glm::clamp(display_linear, 0.0, 1.0) / response.exposure;
   static const double ceiling = srgb_decode(254.5 / 255.0);
   const Color d = glm::clamp(display_linear, Color(0.0), Color(ceiling));
-  return d / (1.0 - d) / exposure;
+  return d / (1.0 - d) / response.exposure;
 }
 
 }  // namespace amalgam::reference

@@ -35,7 +35,7 @@ class Rendering {
       : request_(request),
         ideal_(common::ideal_camera_covering(request.camera)),
         view_{request.camera_image, request.camera, request.anchored.camera_from_world,
-              request.exposure},
+              request.response},
         inputs_{world, request.lights, environment, &view_, request.settings},
         world_from_camera_(glm::inverse(request.anchored.camera_from_world)) {
     inputs_.start_media = media_around(world, Vec3(world_from_camera_[3]));
@@ -44,7 +44,7 @@ class Rendering {
         common::Image<Color>(w, h, Color(0.0));
     images_.virtual_mask = images_.specular_mask = images_.grazing = images_.rim =
         common::Image<std::uint8_t>(w, h, 0);
-    images_.layers = {common::Image<Vec4>(w, h, Vec4(0.0)), common::Image<Color>(w, h, Color(0.0))};
+    images_.layers = Layers::zero(w, h);
   }
 
   ReferenceImages render() {
@@ -54,7 +54,7 @@ class Rendering {
     const bool is_ideal = ideal_ == request_.camera;
     images_.composite =
         composite(is_ideal ? images_.layers : warp(images_.layers, request_.camera, ideal_),
-                  *request_.camera_image);
+                  *request_.camera_image, request_.response);
     return std::move(images_);
   }
 
@@ -78,7 +78,8 @@ class Rendering {
         const Vec2 position(x - 0.5 + (i + 0.5) / n, y - 0.5 + (j + 0.5) / n);
         Decisions decisions;
         const Sample sample = trace(position, decisions, request_.find_grazing ? kLift : 0.0);
-        add_sample(images_.layers, x, y, sample, request_.exposure, 1.0 / (n * n));
+        add_sample(images_.layers, x, y, sample, request_.response, request_.settings.ratio,
+                   1.0 / (n * n));
         if (i == 0 && j == 0) keep(x, y, sample);
         if (!request_.find_grazing) continue;
         note_grazing(images_.grazing.at(x, y), grazing(position, sample, decisions));

@@ -35,7 +35,7 @@ struct ReferenceRequest {
   scene::AnchoredScene anchored;
   std::vector<scene::Light> lights;                 // world frame, environment lights included
   const common::ImageRgb8* camera_image = nullptr;  // size of the camera; required
-  double exposure = 1.0;
+  Response response;                                // the camera's
   int samples_per_side = 1;
   TraceSettings settings;
   bool find_grazing = false;  // and rims; costs four more renderings

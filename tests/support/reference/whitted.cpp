@@ -3,6 +3,7 @@
 #include "support/reference/arriving_light.h"
 #include "support/reference/bent_normal.h"
 #include "support/reference/pictures.h"
+#include "support/reference/real_change.h"
 #include "support/reference/shadow.h"
 
 namespace amalgam::reference {
@@ -44,6 +45,7 @@ void Whitted::follow(const Branch& branch, Collector& to) const {
   if (object.role == scene::Role::Virtual) to.sample.met_virtual = true;
   if (object.material.kind == scene::MaterialKind::Diffuse) {
     // Seen directly it is as a rasteriser draws it: media count from the first mirror or glass on.
+    if (branch.depth == 0) to.sample.real_diffuse_first = object.role == scene::Role::Real;
     add_diffuse(branch.depth == 0 ? branch : arrived, surface, to);
     return;
   }
@@ -111,7 +113,11 @@ void Whitted::add_diffuse(const Branch& branch, const Surface& surface, Collecto
   }
   const double f = seen.trust;
   const Color& l = seen.radiance;
-  to.sample.mixed += w * (f * glm::max(l + (m - r), Color(0.0)) + (1.0 - f) * m);
+  if (f > 0.0) {
+    to.sample.mixed +=
+        w * f * changed_radiance(l, m, r, in_.camera_view->response, in_.settings.ratio);
+  }
+  to.sample.mixed += w * (1.0 - f) * m;
   to.sample.real += w * (f * l + (1.0 - f) * r);
 }
 

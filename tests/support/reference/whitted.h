@@ -23,6 +23,7 @@ struct TraceSettings {
   // began this much above the surface, in relation to Object::coordinate_size. Renderers
   // in float lift their rays so that they do not meet the same surface again.
   double lift = 0.0;
+  bool ratio = true;  // look-ups change by ratio (real_change.h)
 };
 
 struct Sample {
@@ -31,6 +32,7 @@ struct Sample {
   Color environment_reflection{0.0};  // I_e, display-linear
   bool met_virtual = false;           // M_v
   bool specular_first = false;        // M_r: the first surface is a mirror or glass
+  bool real_diffuse_first = false;
 };
 
 class Whitted {

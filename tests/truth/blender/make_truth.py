@@ -21,8 +21,6 @@ from rendering import render, set_up  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 TRANSPORTS = {"full": True, "direct": False}
-# "direct" is kept with our own curve alone: the camera's own is a matter of its response.
-KEPT = {"full": ("linear", "reinhard"), "direct": ("reinhard",)}
 
 
 def _two_seeds(samples, full_transport):
@@ -48,7 +46,7 @@ def _render_pair(samples, transport, folder, name, notes):
     camera = _two_seeds(few, full)
     truth_scene.show_virtual(True)
     truth = _two_seeds(samples if full else few, full)
-    for curve in KEPT[transport]:
+    for curve in response.RESPONSES:
         gain = response.exposure(_mean(camera), curve)
         before = response.develop(_mean(camera), gain, curve)
         after = response.develop(_mean(truth), gain, curve)

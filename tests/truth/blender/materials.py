@@ -74,6 +74,23 @@ def _absorb(builder, volume):
     builder.material.cycles.homogeneous_volume = True
 
 
+def _same_from_both_sides(builder, ior):
+    """The index for a Fresnel node, which takes the inverse on back faces. There an unbent ray would
+    often be reflected totally; the real one, bent, reflects as much as on its way in."""
+    backfacing = builder.add("ShaderNodeNewGeometry").outputs["Backfacing"]
+    inverse = builder.add("ShaderNodeMath")
+    inverse.operation = "DIVIDE"
+    inverse.inputs[0].default_value = 1.0
+    mixed = builder.add("ShaderNodeMix", Factor=backfacing)
+    for target in (inverse.inputs[1], mixed.inputs[2]):
+        if isinstance(ior, bpy.types.NodeSocket):
+            builder.tree.links.new(ior, target)
+        else:
+            target.default_value = ior
+    builder.tree.links.new(inverse.outputs[0], mixed.inputs[3])
+    return mixed.outputs[0]
+
+
 def dielectric(material, ior, volume, straight_shadows):
     """ior: a number, or a function that makes a socket of it. straight_shadows: light from lamps
     passes unbent, less what is reflected, as Amalgam has it; otherwise Cycles without caustics
@@ -85,7 +102,8 @@ def dielectric(material, ior, volume, straight_shadows):
     glass.distribution = "SHARP"
     surface = glass.outputs["BSDF"]
     if straight_shadows:
-        fresnel = builder.add("ShaderNodeFresnel", IOR=ior).outputs["Fac"]
+        index = _same_from_both_sides(builder, ior)
+        fresnel = builder.add("ShaderNodeFresnel", IOR=index).outputs["Fac"]
         through = builder.add("ShaderNodeMath", Value=1.0)
         through.operation = "SUBTRACT"
         builder.tree.links.new(fresnel, through.inputs[1])

@@ -5,7 +5,7 @@ import bpy
 TABLE = "table"
 
 
-class _Nodes:
+class Nodes:
     def __init__(self, material):
         material.use_nodes = True
         self.tree = material.node_tree
@@ -65,7 +65,7 @@ _COLORS = {"cloth": _cloth, "wood": _wood, "slate and blue": _slate_and_blue}
 def dress_table(name):
     """Lambert's law: what gloss a real table had would be another unknown."""
     material = bpy.data.materials.new(name)
-    nodes = _Nodes(material)
+    nodes = Nodes(material)
     diffuse = nodes.add("ShaderNodeBsdfDiffuse", {"Color": _COLORS[name](nodes)})
     nodes.add("ShaderNodeOutputMaterial", {"Surface": diffuse.outputs["BSDF"]})
     bpy.data.objects[TABLE].material_slots[0].material = material

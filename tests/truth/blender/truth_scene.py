@@ -10,6 +10,7 @@ import bpy
 import numpy
 from mathutils import Matrix, Quaternion, Vector
 
+from marker import lay_marker
 from materials import build_materials
 from nested import mend_nested_glass
 from surfaces import dress_table
@@ -31,6 +32,7 @@ def load(path, surface, straight_shadows):
     build_materials(gltf, path.parent, straight_shadows)
     mend_nested_glass(gltf, straight_shadows)
     dress_table(surface)
+    lay_marker()
 
 
 def is_virtual(thing):

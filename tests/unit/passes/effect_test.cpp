@@ -25,8 +25,8 @@ TEST(EffectPass, AnUnlitBlackObjectStillCoversTheCameraImage) {
     const RasterFrame frame = rig.render(view);
     EXPECT_TRUE(frame.diffuse_effect);
     ASSERT_TRUE(frame.layers);
-    EXPECT_EQ(frame.layers->over(16, 16), glm::vec4(0.0f, 0.0f, 0.0f, 1.0f));
-    EXPECT_EQ(frame.layers->over(1, 1), glm::vec4(0.0f));
+    EXPECT_EQ(frame.layers->at(16, 16).over, glm::vec4(0.0f, 0.0f, 0.0f, 1.0f));
+    EXPECT_EQ(frame.layers->at(1, 1).over, glm::vec4(0.0f));
   }
 }
 

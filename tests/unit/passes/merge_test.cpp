@@ -8,7 +8,7 @@ namespace {
 Layers constant_layers(float value) {
   Layers layers({4, 3});
   for (int y = 0; y < 3; ++y) {
-    for (int x = 0; x < 4; ++x) layers.set(x, y, glm::vec4(value), glm::vec3(-value));
+    for (int x = 0; x < 4; ++x) layers.set(x, y, {glm::vec4(value), glm::vec3(-value)});
   }
   return layers;
 }
@@ -25,8 +25,8 @@ TEST(Merge, Adds) {
                                              graph.import("trace", traced_layers(0.5f))});
   const Layers* layers = graph.realise(merged);
   ASSERT_NE(layers, nullptr);
-  EXPECT_EQ(layers->over(3, 2), glm::vec4(0.75f));
-  EXPECT_EQ(layers->difference(0, 0), glm::vec3(-0.75f));
+  EXPECT_EQ(layers->at(3, 2).over, glm::vec4(0.75f));
+  EXPECT_EQ(layers->at(0, 0).difference, glm::vec3(-0.75f));
 }
 
 TEST(Merge, OneIsEnough) {
@@ -35,7 +35,7 @@ TEST(Merge, OneIsEnough) {
       add_merge_pass(graph, {graph.absent<Layers>("raster", "no diffuse object in view"),
                              graph.import("trace", traced_layers(0.5f))});
   ASSERT_NE(graph.realise(merged), nullptr);
-  EXPECT_EQ(graph.peek(merged)->over(1, 1), glm::vec4(0.5f));
+  EXPECT_EQ(graph.peek(merged)->at(1, 1).over, glm::vec4(0.5f));
 }
 
 TEST(Merge, ZeroEverywhereIsNothing) {

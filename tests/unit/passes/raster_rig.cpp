@@ -32,7 +32,8 @@ const graph::PassReport& RasterFrame::report(const std::string& pass) const {
 RasterRig::RasterRig(const scene::Scene& scene)
     : context_(shared_context()), scene_(scene), shaders_(gl::find_features(scene)) {}
 
-RasterFrame RasterRig::render(const passes::RenderView& view, float exposure) {
+RasterFrame RasterRig::render(const passes::RenderView& view, float exposure,
+                              scene::RealSurfaces real_surfaces) {
   graph::FrameGraph graph;
   const passes::RasterContext raster{*context_, shaders_, scene_, targets_};
   const auto uploaded = passes::add_upload_view_pass(graph, {raster, view});
@@ -46,8 +47,9 @@ RasterFrame RasterRig::render(const passes::RenderView& view, float exposure) {
   const auto effect = passes::add_effect_pass(graph, {raster, view, diffuse, reached});
   const auto real_depth =
       passes::add_real_depth_pass(graph, {raster, view, uploaded.device_view, mask.specular});
-  const auto resolve =
-      passes::add_resolve_pass(graph, {view, effect.effect, graph.import("exposure", exposure)});
+  const auto resolve = passes::add_resolve_pass(
+      graph,
+      {view, effect.effect, graph.import("tone map", scene::tone_map_of(exposure)), real_surfaces});
 
   RasterFrame frame;
   frame.mask = realise(graph, mask.mask);

@@ -46,7 +46,8 @@ class RasterRig {
   explicit RasterRig(const scene::Scene& scene);
 
   // Realises everything that there is.
-  RasterFrame render(const passes::RenderView& view, float exposure = 1.0f);
+  RasterFrame render(const passes::RenderView& view, float exposure = 1.0f,
+                     scene::RealSurfaces real_surfaces = scene::RealSurfaces::Difference);
 
   passes::ShadowOptions shadow_options{};
   bool leave_out_tiles = false;  // if so, there is no mixed and no real

@@ -32,7 +32,7 @@ TEST(FindEdges, NothingVirtualHasNoEdges) {
 TEST(FindEdges, AStepInColorMarksBothSides) {
   core::Layers layers = empty_layers();
   for (int y = 0; y < kHeight; ++y) {
-    for (int x = 4; x < kWidth; ++x) layers.set(x, y, glm::vec4(0.0f), glm::vec3(-0.1f));
+    for (int x = 4; x < kWidth; ++x) layers.set(x, y, {glm::vec4(0.0f), glm::vec3(-0.1f)});
   }
   const auto edges = find_edges(layers, nullptr, 0.03f);
   EXPECT_EQ(count(edges), 2 * kHeight);
@@ -45,7 +45,7 @@ TEST(FindEdges, AnotherObjectOrDistanceIsAnEdgeAtAnyColor) {
   core::Layers layers = empty_layers();
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x) {
-      layers.set(x, y, glm::vec4(0.3f, 0.3f, 0.3f, 1.0f), glm::vec3(0.0f));
+      layers.set(x, y, {glm::vec4(0.3f, 0.3f, 0.3f, 1.0f), glm::vec3(0.0f)});
     }
   }
   trace::FirstHits hits = one_surface();
@@ -64,7 +64,7 @@ TEST(FindEdges, EdgesBetweenTilesAreFoundOnEachSide) {
   constexpr int kSide = core::kTileSide;
   core::Layers layers(glm::ivec2(3 * kSide));
   for (int y = kSide; y < 2 * kSide; ++y) {
-    for (int x = kSide; x < 2 * kSide; ++x) layers.set(x, y, glm::vec4(1.0f), glm::vec3(0.0f));
+    for (int x = kSide; x < 2 * kSide; ++x) layers.set(x, y, {glm::vec4(1.0f), glm::vec3(0.0f)});
   }
   const auto edges = find_edges(layers, nullptr, 0.03f);
   const int middle = kSide + kSide / 2;

@@ -42,9 +42,9 @@ Expected resolve(const RasterFrame& frame, int x, int y, int n, float exposure) 
   for (int j = 0; j < n; ++j) {
     for (int i = 0; i < n; ++i) {
       const glm::vec4 mixed = frame.mixed->at(x * n + i, y * n + j);
-      const glm::vec3 tm = scene::tone_map(glm::vec3(mixed), exposure);
-      const glm::vec3 tr =
-          scene::tone_map(glm::vec3(frame.real->at(x * n + i, y * n + j)), exposure);
+      const glm::vec3 tm = scene::tone_map(glm::vec3(mixed), scene::tone_map_of(exposure));
+      const glm::vec3 tr = scene::tone_map(glm::vec3(frame.real->at(x * n + i, y * n + j)),
+                                           scene::tone_map_of(exposure));
       if (mixed.w > 0.0f) {
         sum.over += glm::vec4(tm, 1.0f);
       } else {
@@ -68,14 +68,52 @@ TEST(ResolvePass, AveragesTheSamplesOfAPixel) {
     for (int y = 0; y < 45; ++y) {
       for (int x = 0; x < 60; ++x) {
         const Expected expected = resolve(frame, x, y, n, exposure);
-        ASSERT_LT(glm::distance(frame.layers->over(x, y), expected.over), 1e-6f);
-        ASSERT_LT(glm::distance(frame.layers->difference(x, y), expected.difference), 1e-6f);
-        const float coverage = frame.layers->over(x, y).w;
+        ASSERT_LT(glm::distance(frame.layers->at(x, y).over, expected.over), 1e-6f);
+        ASSERT_LT(glm::distance(frame.layers->at(x, y).difference, expected.difference), 1e-6f);
+        const float coverage = frame.layers->at(x, y).over.w;
         partly += coverage > 0.0f && coverage < 1.0f ? 1 : 0;
       }
     }
     EXPECT_EQ(partly > 0, n > 1);
     EXPECT_EQ(frame.nonfinite, 0u);
+  }
+}
+
+// By ratio, a shadow is a factor on the light: the model's color does not matter, and pixels that a
+// virtual object covers in part keep the ratio of the rest.
+TEST(ResolvePass, TakesRealSurfacesByTheRatioOfTheirLight) {
+  Desk desk;
+  const auto render = [&](const glm::vec3& floor, int n) {
+    desk.scene.materials[desk.scene.instances[0].material].base_color = glm::vec4(floor, 1.0f);
+    RasterRig rig(desk.scene);
+    return rig.render(desk.view(n), 0.7f, scene::RealSurfaces::Ratio);
+  };
+  for (const int n : {1, 3}) {
+    const RasterFrame grey = render(glm::vec3(0.5f), n);
+    const RasterFrame red = render({0.9f, 0.2f, 0.1f}, n);
+    int shadowed = 0;
+    for (int y = 0; y < 45; ++y) {
+      for (int x = 0; x < 60; ++x) {
+        const core::LayerPixel pixel = grey.layers->at(x, y);
+        ASSERT_EQ(pixel.difference, glm::vec3(0.0f));
+        // Highlights of the floor are not of its color.
+        ASSERT_LT(glm::distance(pixel.relative_change, red.layers->at(x, y).relative_change),
+                  0.06f);
+        glm::vec3 sum(0.0f);
+        for (int j = 0; j < n; ++j) {
+          for (int i = 0; i < n; ++i) {
+            const glm::vec4 mixed = grey.mixed->at(x * n + i, y * n + j);
+            const glm::vec4 real = grey.real->at(x * n + i, y * n + j);
+            if (real.w > 0.0f) sum += glm::vec3(mixed) / glm::vec3(real) - 1.0f;
+          }
+        }
+        sum /= static_cast<float>(n * n);
+        ASSERT_LT(glm::distance(pixel.relative_change, sum), 1e-5f);
+        shadowed += sum.x < 0.0f ? 1 : 0;
+        ASSERT_LE(pixel.light_ratio().x, 1.0f);
+      }
+    }
+    EXPECT_GT(shadowed, 50);
   }
 }
 
@@ -88,7 +126,7 @@ TEST(ResolvePass, ChangesNothingOutOfReachOfVirtualObjects) {
   int untouched = 0, shadowed = 0;
   for (int y = 0; y < 45; ++y) {
     for (int x = 0; x < 60; ++x) {
-      const glm::vec3 difference = frame.layers->difference(x, y);
+      const glm::vec3 difference = frame.layers->at(x, y).difference;
       untouched += difference == glm::vec3(0.0f) ? 1 : 0;
       shadowed += difference.x < 0.0f ? 1 : 0;
       ASSERT_LE(difference.x, 0.0f);  // only shadows here
@@ -109,8 +147,8 @@ TEST(ResolvePass, IsZeroOnSpecularSamples) {
     for (int x = 0; x < 60; ++x) {
       if ((frame.mask->flags.at(x, y) & SampleMask::kSpecular) == 0) continue;
       ++specular;
-      ASSERT_EQ(frame.layers->over(x, y), glm::vec4(0.0f));
-      ASSERT_EQ(frame.layers->difference(x, y), glm::vec3(0.0f));
+      ASSERT_EQ(frame.layers->at(x, y).over, glm::vec4(0.0f));
+      ASSERT_EQ(frame.layers->at(x, y).difference, glm::vec3(0.0f));
     }
   }
   EXPECT_GT(specular, 20);

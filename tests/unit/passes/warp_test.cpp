@@ -24,7 +24,7 @@ TEST(Warp, PutsEveryDirectionWhereTheLensDoes) {
   for (int y = 0; y < ideal.height; ++y) {
     for (int x = 0; x < ideal.width; ++x) {
       const glm::vec3 direction(*common::pixel_direction(ideal, {x, y}));
-      layers.set(x, y, glm::vec4(direction, 1.0f), direction);
+      layers.set(x, y, {glm::vec4(direction, 1.0f), direction});
     }
   }
   const WarpMap map = make_warp_map(camera, ideal);
@@ -33,9 +33,10 @@ TEST(Warp, PutsEveryDirectionWhereTheLensDoes) {
   for (int y = 0; y < camera.height; ++y) {
     for (int x = 0; x < camera.width; ++x) {
       const glm::vec3 expected(*common::pixel_direction(camera, {x, y}));
-      ASSERT_NEAR(warped.difference(x, y).x, expected.x, 1e-5f) << x << " " << y;
-      ASSERT_NEAR(warped.difference(x, y).y, expected.y, 1e-5f) << x << " " << y;
-      ASSERT_NEAR(warped.over(x, y).w, 1.0f, 1e-5f) << "the margin covers the whole camera image";
+      ASSERT_NEAR(warped.at(x, y).difference.x, expected.x, 1e-5f) << x << " " << y;
+      ASSERT_NEAR(warped.at(x, y).difference.y, expected.y, 1e-5f) << x << " " << y;
+      ASSERT_NEAR(warped.at(x, y).over.w, 1.0f, 1e-5f)
+          << "the margin covers the whole camera image";
     }
   }
 }
@@ -62,7 +63,7 @@ TEST(Warp, ScalesWithAndWithoutALens) {
       for (int y = 0; y < small.height; ++y) {
         for (int x = 0; x < small.width; ++x) {
           const glm::vec3 direction(*common::pixel_direction(small, {x, y}));
-          layers.set(x, y, glm::vec4(direction, 1.0f), direction);
+          layers.set(x, y, {glm::vec4(direction, 1.0f), direction});
         }
       }
       const core::Layers warped =
@@ -72,9 +73,9 @@ TEST(Warp, ScalesWithAndWithoutALens) {
       for (int y = 0; y < camera.height; ++y) {
         for (int x = 0; x < camera.width; ++x) {
           const glm::vec3 expected(*common::pixel_direction(camera, {x, y}));
-          ASSERT_NEAR(warped.difference(x, y).x, expected.x, 1e-5f) << x << " " << y;
-          ASSERT_NEAR(warped.difference(x, y).y, expected.y, 1e-5f) << x << " " << y;
-          ASSERT_NEAR(warped.over(x, y).w, 1.0f, 1e-5f) << x << " " << y;
+          ASSERT_NEAR(warped.at(x, y).difference.x, expected.x, 1e-5f) << x << " " << y;
+          ASSERT_NEAR(warped.at(x, y).difference.y, expected.y, 1e-5f) << x << " " << y;
+          ASSERT_NEAR(warped.at(x, y).over.w, 1.0f, 1e-5f) << x << " " << y;
         }
       }
     }
@@ -95,7 +96,7 @@ TEST(Warp, LeavesOutNoTileThatSomethingReachesInto) {
     const LayerPlacement placement{.size = {160, 120}, .scale = static_cast<float>(scale)};
     for (int i = 1; i < small.height - 1; ++i) {
       core::Layers alone({small.width, small.height});
-      alone.set(i, i, glm::vec4(1.0f), glm::vec3(0.0f));
+      alone.set(i, i, {glm::vec4(1.0f), glm::vec3(0.0f)});
       core::Layers all = alone;
       for (std::size_t tile = 0; tile < all.grid().count(); ++tile) all.make(tile);
       const common::ImageRgba32f expected = warp_layers(all, placement).over_image();
@@ -115,7 +116,7 @@ TEST(Warp, NothingLeftInThePictureIsNothing) {
   for (const bool in_picture : {false, true}) {
     core::Layers layers({ideal.width, ideal.height});
     const glm::ivec2 p = in_picture ? glm::ivec2(80, 60) : glm::ivec2(0, 0);
-    layers.set(p.x, p.y, glm::vec4(1.0f), glm::vec3(0.0f));
+    layers.set(p.x, p.y, {glm::vec4(1.0f), glm::vec3(0.0f)});
     graph::FrameGraph graph;
     const auto warped = add_warp_pass(graph, graph.import("layers", std::move(layers)),
                                       {.size = {160, 120}, .lens = &map});

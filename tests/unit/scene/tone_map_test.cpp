@@ -44,12 +44,34 @@ TEST(ToneMap, ExpandStaysFinite) {
 }
 
 TEST(ToneMap, ACameraPixelComesBackThroughTheTracer) {
-  for (const float exposure : {0.1f, 1.0f, 7.0f}) {
-    for (int byte = 0; byte < 255; ++byte) {
-      const glm::vec3 seen(srgb_decode(static_cast<std::uint8_t>(byte)));
-      const glm::vec3 back = tone_map(inverse_tone_map(seen, exposure), exposure);
-      EXPECT_EQ(srgb_encode(back), common::Rgb8(static_cast<std::uint8_t>(byte)))
-          << byte << " at " << exposure;
+  for (const ToneCurve curve : kToneCurves) {
+    for (const float exposure : {0.1f, 1.0f, 7.0f}) {
+      const ToneMap camera{{exposure, 2.0f * exposure, 0.5f * exposure}, curve};
+      for (int byte = 0; byte < 255; ++byte) {
+        const glm::vec3 seen(srgb_decode(static_cast<std::uint8_t>(byte)));
+        EXPECT_EQ(srgb_encode(tone_map(inverse_tone_map(seen, camera), camera)),
+                  common::Rgb8(static_cast<std::uint8_t>(byte)))
+            << byte << " at " << exposure;
+      }
+    }
+  }
+}
+
+TEST(ToneMap, LinearClips) {
+  const ToneMap camera = tone_map_of(2.0f, ToneCurve::Linear);
+  EXPECT_EQ(tone_map({0.0f, 0.25f, 0.75f}, camera), glm::vec3(0.0f, 0.5f, 1.0f));
+  EXPECT_EQ(inverse_tone_map({0.0f, 0.5f, 1.0f}, camera), glm::vec3(0.0f, 0.25f, 0.5f));
+}
+
+TEST(ToneMap, AStepIsTheDifferenceOfItsEnds) {
+  for (const ToneCurve curve : kToneCurves) {
+    const ToneMap camera = tone_map_of(1.5f, curve);
+    for (const float a : {0.0f, 0.1f, 0.5f, 3.0f}) {
+      for (const float b : {0.5f, 0.7f, 40.0f}) {
+        if (a > b) continue;
+        const glm::vec3 expected = tone_map(glm::vec3(b), camera) - tone_map(glm::vec3(a), camera);
+        EXPECT_NEAR(tone_map_step(glm::vec3(a), glm::vec3(b), camera).x, expected.x, 1e-6f);
+      }
     }
   }
 }

@@ -55,7 +55,9 @@ TEST_F(CameraLookupTest, ReturnsTheCamerasOwnColor) {
   ASSERT_TRUE(seen);
   EXPECT_FLOAT_EQ(seen->trust, 1.0f);
   const float exposure = 0.7f;
-  const glm::vec3 shown = scene::tone_map(camera_radiance(image_, seen->pixel, exposure), exposure);
+  const glm::vec3 shown =
+      scene::tone_map(camera_radiance(image_, seen->pixel, scene::tone_map_of(exposure)),
+                      scene::tone_map_of(exposure));
   const auto at = common::project(view_.camera,
                                   glm::dvec3(view_.camera_from_world * glm::dvec4(position, 1.0)));
   ASSERT_TRUE(at);

@@ -31,6 +31,7 @@ common::ImageRgb8 ramp(int size, int red) {
 class LookUpAgain : public testing::Test {
  protected:
   static constexpr int kSize = 64;
+  static constexpr scene::RealSurfaces kRealSurfaces = scene::RealSurfaces::Ratio;
 
   TraceResult trace_with(const common::ImageRgb8& image, float exposure, std::size_t keep_below) {
     return trace({.scene = embree_,
@@ -41,7 +42,8 @@ class LookUpAgain : public testing::Test {
                   .samples_per_side = 2,
                   .lookup = &lookup_,
                   .camera_image = &image,
-                  .exposure = exposure,
+                  .tone_map = scene::tone_map_of(exposure),
+                  .real_surfaces = kRealSurfaces,
                   .settings = {},
                   .keep_paths_below = keep_below});
   }
@@ -65,7 +67,8 @@ TEST_F(LookUpAgain, GivesWhatTracingAgainGives) {
   EXPECT_GT(look_ups, 1000u);  // or the test tests nothing
 
   const common::ImageRgb8 image = ramp(kSize, 200);
-  const TraceResult again = look_up_again(*first.paths, image, 1.7f);
+  const TraceResult again =
+      look_up_again(*first.paths, image, scene::tone_map_of(1.7f), kRealSurfaces);
   const TraceResult anew = trace_with(image, 1.7f, 0);
   EXPECT_EQ(again.layers.over_image(), anew.layers.over_image());
   EXPECT_EQ(again.layers.difference_image(), anew.layers.difference_image());
@@ -81,7 +84,8 @@ TEST_F(LookUpAgain, LeavesThePathsAsTheyWere) {
   const common::ImageRgb8 image = ramp(kSize, 90);
   const TraceResult first = trace_with(image, 1.0f, std::size_t{1} << 30);
   for (int i = 0; i < 3; ++i) {
-    EXPECT_EQ(look_up_again(*first.paths, image, 1.0f).layers.over_image(),
+    EXPECT_EQ(look_up_again(*first.paths, image, scene::tone_map_of(1.0f), kRealSurfaces)
+                  .layers.over_image(),
               first.layers.over_image());
   }
 }
@@ -92,22 +96,28 @@ TEST_F(LookUpAgain, PathsThatTakeTooMuchMemoryAreNotKept) {
   EXPECT_EQ(trace_with(image, 1.0f, bytes / 2).paths, nullptr);
 }
 
-// L + (m - r) of one look-up, and never less than nothing, however much darker than its model a
-// surface is.
-TEST(AddLookUps, ChangesWhatTheCameraSeesByTheDifference) {
+// L + (m - r) or L m / r of one look-up, and never less than nothing, however much darker than its
+// model a surface is.
+TEST(AddLookUps, ChangesWhatTheCameraSees) {
   const common::ImageRgb8 image(1, 1, common::Rgb8(128));
-  const float seen = scene::inverse_tone_map(scene::srgb_decode(image.at(0, 0)), 1.0f).x;
-  const auto added = [&](float mixed, float real, float trust) {
+  const float seen =
+      scene::inverse_tone_map(scene::srgb_decode(image.at(0, 0)), scene::tone_map_of(1.0f)).x;
+  const auto added = [&](float mixed, float real, float trust,
+                         scene::RealSurfaces way = scene::RealSurfaces::Difference) {
     TilePaths paths;
     paths.samples.resize(1);
     paths.look_ups.push_back({glm::vec3(0.5f), 0, {}, trust, glm::vec3(mixed), glm::vec3(real)});
-    add_look_ups(paths, image, 1.0f);
+    add_look_ups(paths, image, scene::tone_map_of(1.0f), way);
     return glm::vec2(paths.samples[0].mixed.x, paths.samples[0].real.x);
   };
   EXPECT_EQ(added(2.0f, 2.0f, 1.0f), glm::vec2(0.5f * seen));
   EXPECT_EQ(added(2.25f, 2.0f, 1.0f), glm::vec2(0.5f * (seen + 0.25f), 0.5f * seen));
   EXPECT_EQ(added(2.0f, 20.0f, 1.0f), glm::vec2(0.0f, 0.5f * seen));
   EXPECT_EQ(added(2.0f, 20.0f, 0.0f), glm::vec2(1.0f, 10.0f)) << "without trust as modelled";
+  const auto by_ratio = scene::RealSurfaces::Ratio;
+  EXPECT_EQ(added(2.0f, 2.0f, 1.0f, by_ratio), glm::vec2(0.5f * seen));
+  EXPECT_FLOAT_EQ(added(2.0f, 8.0f, 1.0f, by_ratio).x, 0.125f * seen);
+  EXPECT_EQ(added(0.0f, 8.0f, 1.0f, by_ratio), glm::vec2(0.0f, 0.5f * seen));
 }
 
 }  // namespace

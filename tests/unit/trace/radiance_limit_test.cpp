@@ -72,10 +72,11 @@ TEST(RadianceLimit, IncludesTheCameraImageIfRealSurfacesCanBeLookedUp) {
   const common::ImageRgb8 image(2, 2, {10, 200, 30});
   const scene::Material grey = test_support::make_diffuse(glm::vec3(0.5f));
   const RadianceLimit real = limit_of(with_floor(grey, scene::Role::Real));
-  const float brightest = scene::inverse_tone_map(scene::srgb_decode({200, 200, 200}), 2.0f).x;
-  EXPECT_FLOAT_EQ(with_camera_image(real, image, 2.0f).radiance.x, brightest);
+  const float brightest =
+      scene::inverse_tone_map(scene::srgb_decode({200, 200, 200}), scene::tone_map_of(2.0f)).x;
+  EXPECT_FLOAT_EQ(with_camera_image(real, image, scene::tone_map_of(2.0f)).radiance.x, brightest);
   const RadianceLimit none = limit_of(with_floor(grey));
-  EXPECT_EQ(with_camera_image(none, image, 2.0f).radiance.x, none.radiance.x);
+  EXPECT_EQ(with_camera_image(none, image, scene::tone_map_of(2.0f)).radiance.x, none.radiance.x);
 }
 
 // Seen from all sides, under lights from all sides.

@@ -36,7 +36,7 @@ TraceResult trace_shot(const scene::Scene& scene, const Shot& shot) {
                 .samples_per_side = shot.samples_per_side,
                 .lookup = shot.camera_image != nullptr ? &lookup : nullptr,
                 .camera_image = shot.camera_image,
-                .exposure = shot.exposure,
+                .tone_map = scene::tone_map_of(shot.exposure),
                 .settings = shot.settings,
                 .keep_images = true,
                 .keep_provenance = shot.keep_provenance});

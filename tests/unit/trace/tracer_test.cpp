@@ -171,10 +171,10 @@ TEST(Tracer, EnvironmentGoesToItsBuffer) {
   const TraceResult with_low = trace_shot(scene, {.environment = &low});
   EXPECT_EQ(centre(with_low), glm::vec3(0.0f));
   EXPECT_NEAR(with_low.images->environment_reflection.at(4, 4).x, 0.4f, 1e-5f);
-  EXPECT_NEAR(with_low.layers.over(4, 4).x, 0.4f, 1e-5f) << "never tone-mapped";
+  EXPECT_NEAR(with_low.layers.at(4, 4).over.x, 0.4f, 1e-5f) << "never tone-mapped";
   const TraceResult with_high = trace_shot(scene, {.environment = &high});
   EXPECT_NEAR(centre(with_high).x, 0.4f, 1e-5f);
-  EXPECT_NEAR(with_high.layers.over(4, 4).x, 0.4f / 1.4f, 1e-5f);
+  EXPECT_NEAR(with_high.layers.at(4, 4).over.x, 0.4f / 1.4f, 1e-5f);
 }
 
 // A real mirror that shows nothing virtual changes nothing: M_v = 0 and the difference is 0.
@@ -191,9 +191,9 @@ TEST(Tracer, RealMirrorIsCoveredOnlyWhereItShowsSomethingVirtual) {
   add_object(scene, test_support::make_quad({0, 0, 3}, {-0.02f, 0, 0}, {0, 0.02f, 0}),
              emitter(0.3f), scene::Role::Virtual);
   const TraceResult reflecting = trace_shot(scene, {.environment = &environment});
-  EXPECT_EQ(reflecting.layers.over(4, 4).w, 1.0f);
+  EXPECT_EQ(reflecting.layers.at(4, 4).over.w, 1.0f);
   EXPECT_NEAR(centre(reflecting).x, 0.3f, 1e-5f);
-  EXPECT_EQ(reflecting.layers.over(0, 4).w, 0.0f);
+  EXPECT_EQ(reflecting.layers.at(0, 4).over.w, 0.0f);
 }
 
 // Section 4.4: a perfect virtual mirror in front of a real surface that the camera sees shows the
@@ -218,7 +218,7 @@ TEST(Tracer, PerfectMirrorShowsTheCamerasColors) {
       test_support::make_pinhole(160, 120, 60),
       glm::dvec3(test_support::look_at(shot.eye, shot.target) * glm::dvec4(0, 0.5, 0, 1)));
   ASSERT_TRUE(at);
-  const glm::vec4 over = result.layers.over(static_cast<int>(at->x), static_cast<int>(at->y));
+  const glm::vec4 over = result.layers.at(static_cast<int>(at->x), static_cast<int>(at->y)).over;
   EXPECT_EQ(over.w, 1.0f);
   EXPECT_EQ(scene::srgb_encode(glm::vec3(over)), common::Rgb8(30, 120, 200));
 }
@@ -280,8 +280,8 @@ TEST(Tracer, SamplesAverageIntoLayers) {
   add_object(scene, test_support::make_quad({1, 0, 0}, {1, 0, 0}, {0, 1, 0}), emitter(1.0f),
              scene::Role::Virtual);
   const TraceResult result = trace_shot(scene, {.width = 1, .height = 1, .samples_per_side = 2});
-  EXPECT_FLOAT_EQ(result.layers.over(0, 0).w, 0.5f);
-  EXPECT_FLOAT_EQ(result.layers.over(0, 0).x, 0.25f) << "half of TM(1) = 1/2";
+  EXPECT_FLOAT_EQ(result.layers.at(0, 0).over.w, 0.5f);
+  EXPECT_FLOAT_EQ(result.layers.at(0, 0).over.x, 0.25f) << "half of TM(1) = 1/2";
 }
 
 }  // namespace

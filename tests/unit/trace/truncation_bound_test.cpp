@@ -25,12 +25,24 @@ TEST(TruncationBound, IsTheFartherEndOfTheRange) {
   SampleResult sample{.mixed = glm::vec3(1.0f), .met_virtual = true};
   const Truncation truncation{.weight = glm::vec3(0.25f), .radiance = glm::vec3(0.125f)};
   const RadianceLimit limit{.radiance = glm::vec3(4.0f)};
-  EXPECT_NEAR(truncation_bound(sample, truncation, limit, 1.0f).x,
+  EXPECT_NEAR(truncation_bound(sample, truncation, limit, scene::tone_map_of(1.0f)).x,
               compressed(0.875 + 1.0) - compressed(1.0), 1e-6);
   // A dark limit leaves only the lower end.
   const RadianceLimit dark{.radiance = glm::vec3(0.5f)};
-  EXPECT_NEAR(truncation_bound(sample, truncation, dark, 1.0f).x,
+  EXPECT_NEAR(truncation_bound(sample, truncation, dark, scene::tone_map_of(1.0f)).x,
               compressed(1.0) - compressed(0.875), 1e-6);
+}
+
+TEST(TruncationBound, EndsWhereALinearCameraClips) {
+  const SampleResult sample{.mixed = glm::vec3(0.5f), .met_virtual = true};
+  const Truncation truncation{.weight = glm::vec3(0.25f), .radiance = glm::vec3(0.125f)};
+  const auto bound = [&](float limit) {
+    return truncation_bound(sample, truncation, {.radiance = glm::vec3(limit)},
+                            scene::tone_map_of(1.0f, scene::ToneCurve::Linear))
+        .x;
+  };
+  EXPECT_FLOAT_EQ(bound(1.5f), 0.25f);
+  EXPECT_FLOAT_EQ(bound(100.0f), 0.5f);
 }
 
 TEST(TruncationBound, CountsALowDynamicRangeEnvironmentInDisplayLight) {
@@ -38,20 +50,21 @@ TEST(TruncationBound, CountsALowDynamicRangeEnvironmentInDisplayLight) {
       .mixed = glm::vec3(1.0f), .environment_reflection = glm::vec3(0.2f), .met_virtual = true};
   const Truncation truncation{.weight = glm::vec3(0.25f), .environment = glm::vec3(0.05f)};
   const RadianceLimit limit{.radiance = glm::vec3(4.0f), .environment = glm::vec3(0.8f)};
-  EXPECT_NEAR(truncation_bound(sample, truncation, limit, 1.0f).x,
+  EXPECT_NEAR(truncation_bound(sample, truncation, limit, scene::tone_map_of(1.0f)).x,
               compressed(2.0) - compressed(1.0) + 0.25 * 0.8 - 0.05, 1e-6);
 }
 
 TEST(TruncationBound, IsEverythingWhereARealMirrorMayStillMeetTheVirtual) {
   const Truncation truncation{.weight = glm::vec3(1e-3f)};
-  EXPECT_EQ(truncation_bound({.met_virtual = false}, truncation, {}, 1.0f), glm::vec3(1.0f));
+  EXPECT_EQ(truncation_bound({.met_virtual = false}, truncation, {}, scene::tone_map_of(1.0f)),
+            glm::vec3(1.0f));
 }
 
 TEST(TruncationBound, StaysFiniteWithoutALimit) {
   SampleResult sample{.mixed = glm::vec3(1.0f), .met_virtual = true};
   const Truncation truncation{.weight = glm::vec3(0.25f, 0.25f, 0.0f)};
-  const glm::vec3 bound =
-      truncation_bound(sample, truncation, {.radiance = glm::vec3(kNoRadianceLimit)}, 1.0f);
+  const glm::vec3 bound = truncation_bound(
+      sample, truncation, {.radiance = glm::vec3(kNoRadianceLimit)}, scene::tone_map_of(1.0f));
   EXPECT_FLOAT_EQ(bound.x, 0.5f);
   EXPECT_FLOAT_EQ(bound.z, 0.0f);
 }
@@ -62,8 +75,9 @@ TEST(TruncationBound, StaysFiniteForLightThatIsNot) {
        {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 3e38f}) {
     const SampleResult sample{.mixed = glm::vec3(radiance), .met_virtual = true};
     for (const float limit : {1.0f, kNoRadianceLimit}) {
-      const float bound =
-          truncation_bound(sample, truncation, {.radiance = glm::vec3(limit)}, 1e6f).x;
+      const float bound = truncation_bound(sample, truncation, {.radiance = glm::vec3(limit)},
+                                           scene::tone_map_of(1e6f))
+                              .x;
       EXPECT_GE(bound, 0.0f) << radiance;
       EXPECT_LE(bound, 1.0f) << radiance;
     }
