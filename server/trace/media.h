@@ -5,6 +5,9 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
+
+#include "scene/material.h"
 
 namespace amalgam::trace {
 
@@ -46,5 +49,11 @@ class Media {
   std::array<std::uint32_t, kMaxNested> materials_{};
   std::uint8_t count_ = 0;
 };
+
+// Of the innermost medium; 1 in air.
+inline double refractive_index(const Media& media, std::span<const scene::Material> materials) {
+  const auto medium = media.innermost();
+  return medium ? double{materials[*medium].ior} : 1.0;
+}
 
 }  // namespace amalgam::trace

@@ -39,8 +39,10 @@ void Tile::shade_hits() {
     if (primary)
       paths_.samples[item.sample].sees_real_diffuse = met.point.role == scene::Role::Real;
     // Directly seen surfaces are not absorbed, because the rasteriser knows no media.
-    diffuse_.push_back({met.point, -glm::vec3(item.direction), primary ? item.weight : met.weight,
-                        item.sample, primary ? RealColor::UnderPixel : RealColor::LookedUp});
+    const glm::vec3& share = primary ? item.weight : met.weight;
+    diffuse_.push_back({met.point, -glm::vec3(item.direction), light_weight(share, item.media),
+                        mean_channel(share), item.sample,
+                        primary ? RealColor::UnderPixel : RealColor::LookedUp});
   }
 }
 

@@ -50,4 +50,10 @@ inline double refractive_index(const Object* medium) {
   return medium == nullptr ? 1.0 : static_cast<double>(medium->material.ior);
 }
 
+// In a medium the same light has n^2 times the radiance that it has in air.
+inline double squared_index(const MediaStack& media) {
+  const double n = refractive_index(media.innermost());
+  return n * n;
+}
+
 }  // namespace amalgam::reference

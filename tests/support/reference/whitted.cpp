@@ -72,7 +72,9 @@ void Whitted::note_lift(const Branch& branch, const std::optional<Hit>& hit, Col
 }
 
 void Whitted::spawn(const Branch& child, Collector& to) const {
-  const double importance = largest_channel(child.weight);
+  // As seen from the camera's medium, where light of a denser one is spread over a wider cone.
+  const double importance =
+      largest_channel(child.weight) * squared_index(child.media) / squared_index(in_.start_media);
   if (importance == 0.0) return to.decisions.note(1);
   if (child.depth > in_.settings.max_depth || importance < in_.settings.importance_cutoff) {
     to.decisions.note(2);
@@ -84,7 +86,9 @@ void Whitted::spawn(const Branch& child, Collector& to) const {
 
 void Whitted::add_environment(const Branch& branch, Collector& to) const {
   if (in_.environment == nullptr) return;
-  const Color light = branch.weight * environment_towards(*in_.environment, branch.ray.direction);
+  // It is given as in air. A branch that ends within a medium takes it as it would be there.
+  const Color light = squared_index(branch.media) * branch.weight *
+                      environment_towards(*in_.environment, branch.ray.direction);
   if (in_.environment->low_dynamic_range) {
     to.sample.environment_reflection += light;  // must not be tone-mapped (section 4.4)
   } else {
