@@ -9,8 +9,8 @@ namespace amalgam::trace {
 void Tile::scatter_solid(const RayItem& item, const MetSurface& met, const glm::dvec3& normal) {
   const SurfacePoint& point = met.point;
   const auto& materials = request_.scene.scene().materials;
-  const Media beyond =
-      point.front ? item.media.entered(point.material) : item.media.left(point.material);
+  const Media beyond = point.front ? item.media.entered(point.material, point.role)
+                                   : item.media.left(point.material);
   // A ray that meets the inner side without having entered (an open mesh) still leaves glass.
   const double eta_here = !point.front && !item.media.innermost()
                               ? double{materials[point.material].ior}

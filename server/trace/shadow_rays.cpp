@@ -14,7 +14,8 @@ void Tile::spawn_shadow_rays() {
     const SurfacePoint& point = diffuse_[d].point;
     // The emission of glass was added when the ray met it.
     if (!scene::is_specular(material(point.material).kind))
-      radiance_[d] = {point.emission, point.emission};
+      radiance_[d] = {point.emission * diffuse_[d].mixed_gain,
+                      point.emission * diffuse_[d].real_gain};
     const ShadowBound* bound =
         diffuse_[d].only_change_counts() ? request_.virtual_shadows : nullptr;
     const glm::vec3 position(point.position);
@@ -46,8 +47,8 @@ void Tile::trace_shadow_rays() {
     const scene::PhongTerms terms = phong_terms_at(item.point, material(item.point.material).kind);
     const glm::vec3 contribution =
         phong_contribution(terms, item.point, item.view, shadow.ray.direction, shadow.irradiance);
-    radiance_[shadow.diffuse].mixed += contribution * attenuation.mixed;
-    radiance_[shadow.diffuse].real += contribution * attenuation.real;
+    radiance_[shadow.diffuse].mixed += contribution * (item.mixed_gain * attenuation.mixed);
+    radiance_[shadow.diffuse].real += contribution * (item.real_gain * attenuation.real);
   }
 }
 

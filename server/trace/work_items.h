@@ -74,10 +74,12 @@ struct DiffuseItem {
   float share = 0.0f;      // of the sample's light, for provenance
   std::uint32_t sample = 0;
   RealColor real_color = RealColor::LookedUp;
+  // immersion_gain() of the media around, and of the real ones.
+  glm::vec3 mixed_gain{1.0f}, real_gain{1.0f};
   std::optional<CameraPlace> seen{};  // the pixel of a real surface that the camera sees
 
   // The camera gives the surface's color. Of the lights, only the change by virtual objects counts.
-  bool only_change_counts() const { return seen && seen->trust == 1.0f; }
+  bool only_change_counts() const { return seen && seen->trust == 1.0f && mixed_gain == real_gain; }
 };
 
 struct ShadowItem {

@@ -12,6 +12,18 @@ namespace {
 // (relative_error.h: kDarkest times a thousandth).
 constexpr double kNegligible = 1e-7;
 
+// A medium's surface throws light back onto what it came from, again and again: a geometric series
+// of albedo times the share of diffuse light that the surface reflects inwards. L / n^2 tells that
+// share from the one reflected outwards, which is Schlick's formula over the hemisphere.
+Color gain_within(double n, const Phong& phong) {
+  if (n == 1.0) return Color(1.0);
+  const double reflected_outside =
+      schlick(normal_reflectance(1.0, n), 1.0) + (1.0 - normal_reflectance(1.0, n)) / 21.0;
+  const double reflected_inside = 1.0 - (1.0 - reflected_outside) / (n * n);
+  const Color albedo = glm::min(phong.albedo + phong.specular, Color(1.0));
+  return Color(1.0) / (Color(1.0) - albedo * reflected_inside);
+}
+
 }  // namespace
 
 Sample Whitted::trace(const Ray& primary, Decisions& decisions) const {
@@ -101,7 +113,12 @@ void Whitted::add_diffuse(const Branch& branch, const Surface& surface, Collecto
   const SurfaceMaterial& material = surface.material;
   const auto [lit_mixed, lit_real] = illuminate(
       phong_of(surface.base_color(), material.metallic, material.roughness), branch, surface, to);
-  const Color m = material.emission + lit_mixed, r = material.emission + lit_real;
+  Color m = material.emission + lit_mixed, r = material.emission + lit_real;
+  if (branch.depth > 0) {
+    const Phong phong = phong_of(surface.base_color(), material.metallic, material.roughness);
+    m *= gain_within(refractive_index(branch.media.innermost()), phong);
+    r *= gain_within(refractive_index(branch.media.innermost_real()), phong);
+  }
   const Color& w = branch.weight;
   if (surface.object.role == scene::Role::Virtual) {
     to.sample.mixed += w * m;
