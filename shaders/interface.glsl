@@ -29,7 +29,7 @@ struct Light {
   float cos_outer;
   uint first_layer;
   uint layer_count;
-  float texel;           // side of a texel, metres (perspective: at 1 m)
+  float plane_step;      // see shadow.glsl
   mat4 clip_from_world;  // a cube: [0][0] is the tangent of its sides' half angle
 };
 

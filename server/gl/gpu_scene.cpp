@@ -64,6 +64,7 @@ GpuMesh upload_mesh(const scene::Mesh& mesh) {
     gpu.low = glm::min(gpu.low, position);
     gpu.high = glm::max(gpu.high, position);
   }
+  gpu.flat = is_flat(mesh);
   return gpu;
 }
 

@@ -22,6 +22,7 @@ struct GpuMesh {
   Buffer face_normals;
   std::optional<Buffer> second_uv_areas;  // the w for Mesh::second_uvs, one float each
   glm::vec3 low{0}, high{0};              // bounds in mesh space, metres
+  bool flat = false;                      // lies in one plane, so it cannot shadow itself
 };
 
 // The data of Scene::instances and their materials that passes need.

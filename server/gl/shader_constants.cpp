@@ -80,7 +80,7 @@ std::string kinds() {
 
 std::string limits_of_formulas() {
   using namespace scene;
-  return AMALGAM_CONSTANT(kNearPlane) + AMALGAM_CONSTANT(kShadowLift) +
+  return AMALGAM_CONSTANT(kNearPlane) + AMALGAM_CONSTANT(kLeastShadowCosine) +
          AMALGAM_CONSTANT(kMinLightDistance) + AMALGAM_CONSTANT(kMinConeWidth) +
          AMALGAM_CONSTANT(kDielectricF0) + AMALGAM_CONSTANT(kMinSquaredAlpha) +
          AMALGAM_CONSTANT(kMaxPhongExponent) + AMALGAM_CONSTANT(kMinFootprintCosine) +

@@ -61,9 +61,10 @@ constexpr std::size_t kFewSuns = 8;  // directional lights that shade_diffuse.fr
 enum class CasterClass : std::uint8_t { RealOpaque, VirtualOpaque, RealGlass, VirtualGlass };
 constexpr std::size_t kCasterClasses = 4;
 constexpr unsigned kCubeSides = 6;
-// The most that a shadow look-up is moved along the surface's normal, in texels of its map: half a
-// texel's diagonal and the filter's reach.
-constexpr double kShadowLift = 1.5;
+// A shadow look-up follows the receiver's plane to the texels around it, as if the light fell on it
+// at no smaller cosine than this. The casters' own offset (pipeline_state.cpp) covers the rest down
+// to half of it. Smaller ones would let a caster far behind a surface seem to shadow it.
+constexpr double kLeastShadowCosine = 1.0 / 64.0;
 
 // Metres; nearer surfaces are not drawn. A thousandth of the smallest scenes, which are a
 // millimetre across. It costs nothing: depth is a float that falls with the distance, so its
@@ -133,7 +134,9 @@ struct GpuLight {  // std140
   float cos_outer = 0.0f;
   std::uint32_t first_layer = 0;
   std::uint32_t layer_count = 1;  // 1, or kCubeSides: +x -x +y -y +z -z
-  float texel = 0.0f;             // side of a texel, metres (perspective: at 1 m from the light)
+  // How much the map's depth changes from texel to texel along a plane with the normal n, divided
+  // by n.x / n.l (perspective: and by the distance from the light). x: a row of clip_from_world.
+  float plane_step = 0.0f;
   // Of its only layer. For a cube, the first element is the tangent of its sides' half angle.
   glm::mat4 clip_from_world{1.0f};
 };

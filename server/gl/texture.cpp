@@ -127,16 +127,11 @@ void Texture::clear_part(glm::ivec2 first, glm::ivec2 size, float value) const {
                      values.data());
 }
 
-void Texture::set_depth_comparison() {
-  glTextureParameteri(id_, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-  glTextureParameteri(id_, GL_TEXTURE_COMPARE_FUNC, GL_GEQUAL);
-  glTextureParameteri(id_, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  glTextureParameteri(id_, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  // Outside the map nothing occludes: 0 is infinitely far.
-  constexpr std::array<GLfloat, 4> kFar{};
+void Texture::set_zero_outside() {
+  constexpr std::array<GLfloat, 4> kZero{};
   glTextureParameteri(id_, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
   glTextureParameteri(id_, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
-  glTextureParameterfv(id_, GL_TEXTURE_BORDER_COLOR, kFar.data());
+  glTextureParameterfv(id_, GL_TEXTURE_BORDER_COLOR, kZero.data());
 }
 
 void Texture::bind(GLuint unit) const {

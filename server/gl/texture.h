@@ -38,9 +38,8 @@ class Texture {
   // Sets every channel of a part of a two-dimensional float or depth texture.
   void clear_part(glm::ivec2 first, glm::ivec2 size, float value) const;
 
-  // Makes look-ups compare with the stored reversed depth: 1 if reference >= depth, linearly
-  // weighted over 2x2 texels.
-  void set_depth_comparison();
+  // Makes texels outside 0: as reversed depth, infinitely far.
+  void set_zero_outside();
 
   void bind(GLuint unit) const;
 

@@ -8,10 +8,9 @@ void Tile::add_diffuse() {
     const DiffuseItem& item = diffuse_[d];
     const DiffuseRadiance& radiance = radiance_[d];
     SampleResult& sample = paths_.samples[item.sample];
-    const float share = mean_channel(item.weight);
     if (item.point.role == scene::Role::Virtual) {
       sample.mixed += item.weight * radiance.mixed;
-      add_provenance(item.sample, core::LightSource::TracedVirtual, share);
+      add_provenance(item.sample, core::LightSource::TracedVirtual, item.share);
       continue;
     }
     if (item.seen) {
@@ -23,8 +22,8 @@ void Tile::add_diffuse() {
     }
     const float under_pixel = item.real_color == RealColor::UnderPixel ? 1.0f : 0.0f;
     const float from_camera = item.seen ? item.seen->trust : under_pixel;
-    add_provenance(item.sample, core::LightSource::CameraLookup, share * from_camera);
-    add_provenance(item.sample, core::LightSource::ModelledReal, share * (1.0f - from_camera));
+    add_provenance(item.sample, core::LightSource::CameraLookup, item.share * from_camera);
+    add_provenance(item.sample, core::LightSource::ModelledReal, item.share * (1.0f - from_camera));
   }
 }
 

@@ -9,9 +9,10 @@ void Tile::add_escaped() {
     add_provenance(item.sample, item.source, mean_channel(item.weight));
     const scene::Environment* environment = request_.environment;
     const bool is_ldr = environment != nullptr && environment->low_dynamic_range;
-    const glm::vec3 light = environment != nullptr ? item.weight * scene::sample_environment(
-                                                                       *environment, item.direction)
-                                                   : glm::vec3(0.0f);
+    const glm::vec3 weight = light_weight(item.weight, Media());  // the environment lies in air
+    const glm::vec3 light = environment != nullptr
+                                ? weight * scene::sample_environment(*environment, item.direction)
+                                : glm::vec3(0.0f);
     if (is_ldr) {
       sample.environment_reflection += light;
     } else {
@@ -21,7 +22,7 @@ void Tile::add_escaped() {
     if (item.source != core::LightSource::CutOff) continue;
     paths_.truncations.resize(paths_.samples.size());
     Truncation& truncation = paths_.truncations[item.sample];
-    truncation.weight += item.weight;
+    truncation.weight += weight;
     (is_ldr ? truncation.environment : truncation.radiance) += light;
   }
 }

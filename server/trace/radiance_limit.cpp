@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "scene/light/tone_map.h"
+#include "trace/immersion.h"
 
 namespace amalgam::trace {
 namespace {
@@ -40,6 +41,14 @@ float distance_to(const scene::Bounds& box, const glm::vec3& point) {
   return glm::length(glm::max(glm::max(box.low - point, point - box.high), glm::vec3(0.0f)));
 }
 
+// How much brighter from outside a surface may be for lying in a medium (trace/immersion.h): the
+// largest gain, of a white one, over n^2.
+float largest_immersion(const scene::Material& material) {
+  if (material.kind != scene::MaterialKind::Dielectric || material.thin) return 1.0f;
+  const scene::PhongTerms white{.albedo = glm::vec3(1.0f)};
+  return std::max(1.0f, immersion_gain(white, material.ior).x / (material.ior * material.ior));
+}
+
 glm::vec3 largest_irradiance(std::span<const scene::Light> lights, const scene::Bounds& box) {
   glm::vec3 sum(0.0f);
   for (const scene::Light& light : lights) {
@@ -63,6 +72,10 @@ RadianceLimit find_radiance_limit(const EmbreeScene& scene, std::span<const scen
     (environment->low_dynamic_range ? limit.environment : limit.radiance) = largest_environment;
   }
   const scene::Scene& data = scene.scene();
+  float immersion = 1.0f;
+  for (const scene::Material& material : data.materials) {
+    immersion = std::max(immersion, largest_immersion(material));
+  }
   for (std::uint32_t i = 0; i < data.instances.size(); ++i) {
     if (!scene.is_in_frame(i)) continue;
     const scene::Material& material = data.materials[data.instances[i].material];
@@ -71,8 +84,9 @@ RadianceLimit find_radiance_limit(const EmbreeScene& scene, std::span<const scen
     }
     if (!is_shaded(material)) continue;
     limit.radiance = glm::max(
-        limit.radiance, material.emission + largest_irradiance(lights, scene.world_bounds(i)) *
-                                                largest_response(material));
+        limit.radiance,
+        immersion * (material.emission + largest_irradiance(lights, scene.world_bounds(i)) *
+                                             largest_response(material)));
     if (has_camera_image && data.instances[i].role == scene::Role::Real) limit.looks_up = true;
   }
   // Sums of a frame may round upwards.

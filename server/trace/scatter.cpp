@@ -14,7 +14,7 @@ float importance(const glm::vec3& weight) {
 }  // namespace
 
 void Tile::scatter(const RayItem& item, const MetSurface& met) {
-  const glm::vec3 glow = met.weight * met.point.emission;
+  const glm::vec3 glow = light_weight(met.weight, item.media) * met.point.emission;
   paths_.samples[item.sample].mixed += glow;
   if (met.point.role == scene::Role::Real) paths_.samples[item.sample].real += glow;
   const glm::dvec3 normal =
@@ -37,8 +37,8 @@ void Tile::scatter_back(const RayItem& item, const MetSurface& met, float k_s) {
   const float share = is_rough(met.point) ? 1.0f : 1.0f - k_s;
   const glm::vec3 scattered = (1.0f - met.point.transmission) * share * met.weight;
   if (!(importance(scattered) > 0.0f)) return;
-  diffuse_.push_back(
-      {met.point, -glm::vec3(item.direction), scattered, item.sample, RealColor::Modelled});
+  diffuse_.push_back({met.point, -glm::vec3(item.direction), light_weight(scattered, item.media),
+                      mean_channel(scattered), item.sample, RealColor::Modelled});
 }
 
 // Spawns a child ray. Beyond the depth limit or below the importance cut-off it takes the

@@ -5,25 +5,17 @@
 #include "trace/tile.h"
 
 namespace amalgam::trace {
-namespace {
-
-double index_of(const std::vector<scene::Material>& materials, const Media& media) {
-  const auto medium = media.innermost();
-  return medium ? double{materials[*medium].ior} : 1.0;
-}
-
-}  // namespace
 
 void Tile::scatter_solid(const RayItem& item, const MetSurface& met, const glm::dvec3& normal) {
   const SurfacePoint& point = met.point;
   const auto& materials = request_.scene.scene().materials;
-  const Media beyond =
-      point.front ? item.media.entered(point.material) : item.media.left(point.material);
+  const Media beyond = point.front ? item.media.entered(point.material, point.role)
+                                   : item.media.left(point.material);
   // A ray that meets the inner side without having entered (an open mesh) still leaves glass.
   const double eta_here = !point.front && !item.media.innermost()
                               ? double{materials[point.material].ior}
-                              : index_of(materials, item.media);
-  const double eta_beyond = index_of(materials, beyond);
+                              : refractive_index(item.media, materials);
+  const double eta_beyond = refractive_index(beyond, materials);
   const double cos_incident = std::clamp(-glm::dot(item.direction, normal), 0.0, 1.0);
   const auto refracted = refract(item.direction, normal, eta_here, eta_beyond);
   const auto k_s = refracted ? static_cast<float>(reflectance(request_.settings.fresnel,

@@ -1,6 +1,7 @@
 // Verb: shades or scatters each hit of the batch (section 3 of the method).
 #include <glm/exponential.hpp>
 
+#include "trace/immersion.h"
 #include "trace/tile.h"
 
 namespace amalgam::trace {
@@ -39,8 +40,16 @@ void Tile::shade_hits() {
     if (primary)
       paths_.samples[item.sample].sees_real_diffuse = met.point.role == scene::Role::Real;
     // Directly seen surfaces are not absorbed, because the rasteriser knows no media.
-    diffuse_.push_back({met.point, -glm::vec3(item.direction), primary ? item.weight : met.weight,
-                        item.sample, primary ? RealColor::UnderPixel : RealColor::LookedUp});
+    const glm::vec3& share = primary ? item.weight : met.weight;
+    diffuse_.push_back({met.point, -glm::vec3(item.direction), light_weight(share, item.media),
+                        mean_channel(share), item.sample,
+                        primary ? RealColor::UnderPixel : RealColor::LookedUp});
+    if (primary) continue;
+    const scene::PhongTerms terms = phong_terms_at(met.point, material.kind);
+    if (const auto medium = item.media.innermost())
+      diffuse_.back().mixed_gain = immersion_gain(terms, this->material(*medium).ior);
+    if (const auto medium = item.media.innermost_real())
+      diffuse_.back().real_gain = immersion_gain(terms, this->material(*medium).ior);
   }
 }
 

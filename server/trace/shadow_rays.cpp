@@ -20,7 +20,8 @@ DiffuseRadiance Tile::emitted(const DiffuseItem& item) const {
   // The emission of glass was added when the ray met it.
   const bool emits =
       !request_.white_surfaces && !scene::is_specular(material(item.point.material).kind);
-  return emits ? DiffuseRadiance{item.point.emission, item.point.emission} : DiffuseRadiance{};
+  if (!emits) return {};
+  return {item.point.emission * item.mixed_gain, item.point.emission * item.real_gain};
 }
 
 // bound: leaves out rays to lights that no virtual object occludes; null: none.
@@ -83,8 +84,8 @@ void Tile::add_light(const ShadowItem& shadow, const ShadowAttenuation& attenuat
                               : phong_terms_at(item.point, material(item.point.material).kind);
   const glm::vec3 contribution =
       phong_contribution(terms, item.point, item.view, shadow.ray.direction, shadow.irradiance);
-  radiance_[shadow.diffuse].mixed += contribution * attenuation.mixed;
-  radiance_[shadow.diffuse].real += contribution * attenuation.real;
+  radiance_[shadow.diffuse].mixed += contribution * (item.mixed_gain * attenuation.mixed);
+  radiance_[shadow.diffuse].real += contribution * (item.real_gain * attenuation.real);
 }
 
 }  // namespace amalgam::trace

@@ -49,6 +49,13 @@ void Tile::take_batch() {
   shadows_.clear();
 }
 
+glm::vec3 Tile::light_weight(const glm::vec3& ray_weight, const Media& media) const {
+  const auto& materials = request_.scene.scene().materials;
+  const double ratio =
+      refractive_index(context_.camera_media, materials) / refractive_index(media, materials);
+  return static_cast<float>(ratio * ratio) * ray_weight;
+}
+
 void Tile::add_provenance(std::uint32_t sample, core::LightSource source, float share) {
   if (request_.keep_provenance) core::add_share(provenance_[sample], source, share);
 }

@@ -63,6 +63,11 @@ class Tile {
   void continue_through_cutout(const RayItem& item, const SurfacePoint& point);
   void spawn(const RayItem& parent, const MetSurface& met, const glm::dvec3& direction,
              const glm::vec3& weight, RayKind kind, const Media& media);
+  // The weight of a light's radiance in a medium, from the weight of a ray. Across an interface
+  // L / n^2 is conserved: the same light fills a narrower cone within the denser medium. So rays
+  // keep their weights, and only the ends of a path count: a surface within water is n^2 darker
+  // from outside than from within, and what lies outside is n^2 brighter from within.
+  glm::vec3 light_weight(const glm::vec3& ray_weight, const Media& media) const;
   void add_provenance(std::uint32_t sample, core::LightSource source, float share);
   void log(const Ray& ray, Visible visible, RayQuery query);
 

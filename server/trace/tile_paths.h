@@ -23,7 +23,7 @@ struct SampleResult {
 
 // A real surface at the end of a ray, visible to the camera.
 struct LookUp {
-  glm::vec3 weight{0.0f};          // share of the sample's light
+  glm::vec3 weight{0.0f};          // of its radiance in the sample
   std::uint32_t sample = 0;        // index into TilePaths::samples
   glm::vec2 pixel{0.0f};           // where the camera sees it; centres are integers
   float trust = 0.0f;              // CameraPlace::trust

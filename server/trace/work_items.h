@@ -32,7 +32,9 @@ struct RayItem {
   // The ray for Embree. It starts a little off that surface, or behind the alpha cut-outs that the
   // line has passed.
   Ray ray;
-  // Product of the k_s and k_t so far; its largest channel is the importance.
+  // Product of the k_s and k_t so far; its largest channel is the importance. It counts what is
+  // conserved across an interface, radiance over the squared index of refraction
+  // (Tile::light_weight).
   glm::vec3 weight{1.0f};
   Media media;               // the dielectrics that the ray is inside
   double path_length = 0.0;  // metres from the camera to start: gives the width of the ray's cone
@@ -67,14 +69,17 @@ enum class RealColor : std::uint8_t {
 // A diffuse surface to be shaded. Shadow rays start only here.
 struct DiffuseItem {
   SurfacePoint point;
-  glm::vec3 view{0.0f};  // unit, towards the ray's origin
-  glm::vec3 weight{0.0f};
+  glm::vec3 view{0.0f};    // unit, towards the ray's origin
+  glm::vec3 weight{0.0f};  // of its radiance in the sample
+  float share = 0.0f;      // of the sample's light, for provenance
   std::uint32_t sample = 0;
   RealColor real_color = RealColor::LookedUp;
+  // immersion_gain() of the media around, and of the real ones.
+  glm::vec3 mixed_gain{1.0f}, real_gain{1.0f};
   std::optional<CameraPlace> seen{};  // the pixel of a real surface that the camera sees
 
   // The camera gives the surface's color. Of the lights, only the change by virtual objects counts.
-  bool only_change_counts() const { return seen && seen->trust == 1.0f; }
+  bool only_change_counts() const { return seen && seen->trust == 1.0f && mixed_gain == real_gain; }
 };
 
 struct ShadowItem {

@@ -89,6 +89,26 @@ TEST(ReferenceGlass, ColoredGlassTintsAtEverySurface) {
   EXPECT_LT(glm::length(sample.mixed - (1.0 - kR) * (1.0 - kR) * tint * tint), 1e-14);
 }
 
+// L / n^2 is conserved: the floor lies in the glass, and its light spreads on the way out.
+TEST(ReferenceGlass, FloorUnderADielectricPlane) {
+  ClosedFormRig rig;
+  rig.add(make_box({-9.0f, -9.0f, -3.0f}, {9.0f, 9.0f, 0.0f}), make_glass(1.5f));
+  rig.add(make_quad({0.0f, 0.0f, -1.0f}, {8.0f, 0.0f, 0.0f}, {0.0f, 8.0f, 0.0f}),
+          test_support::make_diffuse(glm::vec3(1.0f)));  // Lambertian
+  rig.lights.push_back(test_support::make_sun({0.0f, 0.0f, 1.0f}));
+  rig.settings.max_depth = 1;
+  // A white floor gets back what the surface reflects inwards: 1 / (1 - R) in all.
+  const double white = 2.25 / ((1.0 - kR) * 20.0 / 21.0);
+  for (const double degrees : {0.0, 30.0, 60.0, 80.0}) {
+    const double angle = degrees * kPi / 180.0;
+    const Vec3 direction(std::sin(angle), 0.0, -std::cos(angle));
+    const double gets_out = 1.0 - reflectance(Fresnel::Schlick, 1.0, 1.5, std::cos(angle));
+    EXPECT_NEAR(rig.trace(Vec3(0.1, 0.23, 0.0) - direction, direction).mixed.r,
+                white * 3.0 * (1.0 - kR) / kPi * gets_out / 2.25, 1e-7)
+        << degrees;
+  }
+}
+
 TEST(ReferenceGlass, AirBubbleInASlab) {
   ClosedFormRig rig = slab(make_glass(1.5f));
   rig.add(make_box({-1.0f, -1.0f, -0.75f}, {1.0f, 1.0f, -0.25f}), make_glass(1.0f));
@@ -192,7 +212,8 @@ TEST(ReferenceGlass, CameraInWaterSeesOutThroughOneSurface) {
   rig.settings.max_depth = 1;
   const Color straight = rig.trace({0.1, 0.23, -0.25}, kForward).mixed;
   const Color sigma(0.5, 1.0, 2.0);
-  EXPECT_LT(glm::length(straight - (1.0 - kR) * glm::exp(-0.75 * sigma)), 1e-14);
+  // In glass, the lamp outside has n^2 times its radiance.
+  EXPECT_LT(glm::length(straight - 2.25 * (1.0 - kR) * glm::exp(-0.75 * sigma)), 1e-14);
   const Color series = 1.0 / (1.0 - kR * kR * glm::exp(-2.0 * sigma));
   EXPECT_LT(glm::length(seen - straight * series), 1e-9);
 }

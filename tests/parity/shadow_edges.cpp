@@ -1,5 +1,6 @@
 #include "parity/shadow_edges.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/matrix.hpp>
 
@@ -31,14 +32,23 @@ int map_side(const std::vector<scene::Light>& lights) {
   return layers <= 128 ? 512 : 256;
 }
 
+bool is_flat(const scene::Mesh& mesh) {
+  Box box;
+  for (const glm::vec3& p : mesh.positions) box.include(Vec3(p));
+  const Vec3 size = box.high - box.low;
+  return std::min({size.x, size.y, size.z}) == 0.0;
+}
+
+// Of all that may shadow itself. In these scenes nothing lies beside it that could shadow another
+// thing: what is flat is one table below it.
 std::vector<Vec3> corners_of_boxes(const scene::Scene& scene,
                                    const scene::AnchoredScene& anchored) {
   std::vector<Vec3> corners;
   for (const scene::AnchoredInstance& placed : anchored.instances) {
+    const scene::Mesh& mesh = scene.meshes[scene.instances[placed.instance].mesh];
+    if (is_flat(mesh)) continue;
     Box box;
-    for (const glm::vec3& p : scene.meshes[scene.instances[placed.instance].mesh].positions) {
-      box.include(Vec3(p));
-    }
+    for (const glm::vec3& p : mesh.positions) box.include(Vec3(p));
     for (int i = 0; i < 8; ++i) {
       const Vec3 corner((i & 1) != 0 ? box.high.x : box.low.x,
                         (i & 2) != 0 ? box.high.y : box.low.y,
@@ -63,7 +73,8 @@ ShadowEdges::ShadowEdges(const ParityCase& parity_case)
       extent_(corners_of_boxes(parity_case.scene, request_.anchored)),
       map_side_(map_side(request_.lights)) {}
 
-// Of a parallel light: its map covers all there is, however it is turned about the light.
+// Of a parallel light: its map covers all that may shadow itself, however it is turned about the
+// light.
 double ShadowEdges::texel(const scene::Light& light, const Vec3& point) const {
   if (light.kind == scene::Light::Kind::Point || layers_of(light) == 6) {
     return 2.0 * glm::distance(Vec3(light.position), point) / map_side_;
@@ -79,7 +90,7 @@ double ShadowEdges::texel(const scene::Light& light, const Vec3& point) const {
       widest = std::max(widest, glm::length(glm::cross(a - b, axis)));
     }
   }
-  return 1.02 * widest / map_side_;
+  return 1.03 * widest / map_side_;
 }
 
 // What a primary ray met, from its side.

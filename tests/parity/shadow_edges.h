@@ -34,7 +34,7 @@ class ShadowEdges {
   const ParityCase& case_;
   reference::ReferenceRequest request_;
   reference::World world_;
-  std::vector<reference::Vec3> extent_;  // corners of boxes that hold all there is
+  std::vector<reference::Vec3> extent_;  // corners of boxes that hold all that may shadow itself
   int map_side_ = 0;                     // texels
 };
 

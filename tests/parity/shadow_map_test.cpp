@@ -17,10 +17,9 @@ namespace amalgam::parity {
 namespace {
 
 // How far from an edge a map may be wrong, in its texels: it samples casters at texels' centres
-// (half a diagonal), mixes four texels (one) and looks from 1.5 texels above the surface
-// (shaders/shadow.glsl). Maps of glass have half as many texels a side.
-constexpr double kBand = 0.71 + 1.0 + 1.5;
-constexpr double kGlassBand = 2.0 * (0.71 + 1.0) + 1.5;
+// (half a diagonal) and mixes four texels (one). Maps of glass have half as many texels a side.
+constexpr double kBand = 0.71 + 1.0;
+constexpr double kGlassBand = 2.0 * (0.71 + 1.0);
 
 // The share of a map's error that may come from elsewhere: rounding, and circles that were missed.
 constexpr double kSlack = 1.05;

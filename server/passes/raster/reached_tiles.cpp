@@ -41,7 +41,7 @@ std::vector<LayerView> layers_with_casters(const RenderView& view, const ShadowL
       }
       const glm::dmat4 clip(layout.layers[layer].clip_from_world);
       LayerView seen{layer, light_bit, layout.layers[layer].perspective != 0,
-                     clip * world_from_camera, static_cast<double>(light.texel)};
+                     clip * world_from_camera, static_cast<double>(layout.texels[l])};
       for (int row = 0; row < 4; ++row) {
         seen.slope[row] = glm::length(glm::dvec3(clip[0][row], clip[1][row], clip[2][row]));
       }
@@ -82,18 +82,18 @@ Footprint footprint_of(const LayerView& layer, const std::array<glm::dvec3, 8>& 
     clip[i] = layer.clip_from_camera * glm::dvec4(corners[i], 1.0);
     farthest = std::max(farthest, clip[i].w);
   }
-  // The distance of a look-up from its point, with a little for rounding. Texels grow with the
-  // distance to the light, which in a spot's map is up to 2.7 times the depth.
-  constexpr double kTexels = gl::kShadowLift + 0.1;
-  const double lift =
-      layer.texel * (layer.perspective ? 2.7 * std::max(farthest, 0.0) : 1.0) * kTexels;
-  const glm::dvec4 grow = lift * layer.slope;
+  // A look-up follows the receiver's plane to the centres of texels around it, at most a texel away
+  // on each axis, and no steeper than shaders/shadow.glsl lets it. A little more is for rounding.
+  const double steepest = std::sqrt(2.0) * layer.texel / gl::kLeastShadowCosine;
+  const double rounding =
+      0.1 * layer.texel * (layer.perspective ? 2.7 * std::max(farthest, 0.0) : 1.0);
+  const glm::dvec4 grow = rounding * layer.slope;
   Footprint seen;
   if (!layer.perspective) {
     for (const glm::dvec4& c : clip) {
       seen.low = glm::min(seen.low, glm::dvec2(c) - glm::dvec2(grow));
       seen.high = glm::max(seen.high, glm::dvec2(c) + glm::dvec2(grow));
-      seen.depth = std::min(seen.depth, c.z - grow.z);
+      seen.depth = std::min(seen.depth, c.z - grow.z - steepest * layer.slope.z);
     }
   } else {
     const double border = 1.0 + 8.0 / size;  // with room for the filter
@@ -110,7 +110,8 @@ Footprint footprint_of(const LayerView& layer, const std::array<glm::dvec3, 8>& 
       return seen;
     }
     for (const glm::dvec4& c : clip) {
-      seen.depth = std::min(seen.depth, kNearPlane / (farthest + grow.w));
+      seen.depth =
+          std::min(seen.depth, std::max(1.0 - steepest, 0.0) * kNearPlane / (farthest + grow.w));
       const double nearest_w = c.w - grow.w;
       if (!(nearest_w > 1e-6)) {  // beside or behind the light: anywhere in the map
         seen.low = glm::dvec2(-1.0);

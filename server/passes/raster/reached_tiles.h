@@ -4,8 +4,8 @@
 //
 // A tile's real surfaces lie in its frustum between their least and greatest depth. This piece is
 // projected to each light's shadow map and grown by the reach of a shadow look-up
-// (shaders/shadow.glsl: its lift along the normal, and the filter). Its depth is compared with that
-// of the nearest casters there.
+// (shaders/shadow.glsl: the filter, and the receiver's plane within it). Its depth is compared with
+// that of the nearest casters there.
 #pragma once
 
 #include <cstdint>

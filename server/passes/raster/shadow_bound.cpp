@@ -27,7 +27,7 @@ class CellsBound : public trace::ShadowBound {
     // the parts that it misses.
     constexpr double kTexels = 4.0;
     const double reach = kTexels / lights_->layout.size;
-    const double metres = kTexels * static_cast<double>(gpu.texel);
+    const double metres = kTexels * static_cast<double>(lights_->layout.texels[light]);
     const glm::mat4& m = gpu.clip_from_world;
     const auto per_metre = static_cast<double>(glm::length(glm::vec3(m[0][2], m[1][2], m[2][2])));
     const double depth = static_cast<double>(clip.z) - metres * per_metre;

@@ -28,55 +28,92 @@ void set_row(glm::dmat4& matrix, int row, const glm::dvec3& linear, double const
 
 struct Layer {
   gl::GpuShadowLayer gpu;
-  float texel = 0.0f;  // GpuLight::texel
+  double texel = 0.0;       // ShadowLayout::texels
+  double plane_step = 0.0;  // GpuLight::plane_step
 };
 
 struct Bounds {
   glm::dvec3 low{std::numeric_limits<double>::infinity()};
   glm::dvec3 high{-std::numeric_limits<double>::infinity()};
+
+  bool is_empty() const { return !(low.x <= high.x && low.y <= high.y); }
+  void include(const Bounds& other) {
+    low = glm::min(low, other.low);
+    high = glm::max(high, other.high);
+  }
 };
 
-// Bounds of all instances along the given axes.
-Bounds bounds_along(const std::array<glm::dvec3, 3>& axes, const RenderView& view,
-                    const gl::GpuScene& scene) {
+Bounds bounds_along(const std::array<glm::dvec3, 3>& axes, const glm::mat4& world_from_mesh,
+                    const gl::GpuMesh& mesh) {
   Bounds bounds;
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    const glm::vec3 in_mesh((corner & 1) != 0 ? mesh.high.x : mesh.low.x,
+                            (corner & 2) != 0 ? mesh.high.y : mesh.low.y,
+                            (corner & 4) != 0 ? mesh.high.z : mesh.low.z);
+    const glm::dvec3 p(glm::dmat4(world_from_mesh) * glm::dvec4(in_mesh, 1.0));
+    const glm::dvec3 along(glm::dot(axes[0], p), glm::dot(axes[1], p), glm::dot(axes[2], p));
+    bounds.include({along, along});
+  }
+  return bounds;
+}
+
+// What a parallel layer must hold, along the light's axes. Across the light: where one instance may
+// shadow another, or itself. A flat instance cannot shadow itself, so a wide table counts only
+// where something else is above or below it. Along the light: everything.
+Bounds bounds_of_shadows(const std::array<glm::dvec3, 3>& axes, const RenderView& view,
+                         const gl::GpuScene& scene) {
+  // The time to compare the flat ones grows with the square of their number.
+  constexpr std::size_t kMostFlat = 32;
+  Bounds all, shadows;
+  std::vector<Bounds> flat;
   for (const scene::AnchoredInstance& anchored : view.scene.instances) {
     const gl::GpuMesh& mesh = scene.meshes()[scene.instances()[anchored.instance].mesh];
-    for (unsigned corner = 0; corner < 8; ++corner) {
-      const glm::vec3 in_mesh((corner & 1) != 0 ? mesh.high.x : mesh.low.x,
-                              (corner & 2) != 0 ? mesh.high.y : mesh.low.y,
-                              (corner & 4) != 0 ? mesh.high.z : mesh.low.z);
-      const glm::dvec3 p(glm::dmat4(anchored.world_from_mesh) * glm::dvec4(in_mesh, 1.0));
-      const glm::dvec3 along(glm::dot(axes[0], p), glm::dot(axes[1], p), glm::dot(axes[2], p));
-      bounds.low = glm::min(bounds.low, along);
-      bounds.high = glm::max(bounds.high, along);
+    const Bounds bounds = bounds_along(axes, anchored.world_from_mesh, mesh);
+    all.include(bounds);
+    if (!mesh.flat || flat.size() == kMostFlat) {
+      shadows.include(bounds);
+      continue;
     }
+    for (const Bounds& other : flat) {
+      const Bounds both{glm::max(bounds.low, other.low), glm::min(bounds.high, other.high)};
+      if (!both.is_empty()) shadows.include(both);
+    }
+    flat.push_back(bounds);
   }
-  if (!(bounds.low.x <= bounds.high.x)) bounds = {glm::dvec3(0.0), glm::dvec3(0.0)};
-  return bounds;
+  if (all.is_empty()) all = {glm::dvec3(0.0), glm::dvec3(0.0)};
+  if (shadows.is_empty()) shadows = all;
+  shadows.low.z = all.low.z;
+  shadows.high.z = all.high.z;
+  return shadows;
 }
 
 Layer parallel_layer(const glm::vec3& to_light, const RenderView& view, const gl::GpuScene& scene,
                      int size) {
   const auto axes = basis_towards(glm::normalize(glm::dvec3(to_light)));
-  Bounds bounds = bounds_along(axes, view, scene);
+  Bounds bounds = bounds_of_shadows(axes, view, scene);
   // A margin: for the filter at the border, and because a flat scene has no depth.
   const glm::dvec3 extent = bounds.high - bounds.low;
-  const double room = 0.01 * std::max({extent.x, extent.y, extent.z, 1e-3});
-  bounds.low -= room;
-  bounds.high += room;
+  const double across =
+      std::max({std::max(0.01, 3.0 / size) * std::max(extent.x, extent.y), 1e-5 * extent.z, 1e-5});
+  const double along = 0.01 * std::max({extent.x, extent.y, extent.z, 1e-3});
+  bounds.low -= glm::dvec3(across, across, along);
+  bounds.high += glm::dvec3(across, across, along);
 
+  // Texels are squares.
+  const glm::dvec3 centre = 0.5 * (bounds.low + bounds.high);
+  const double side = std::max(bounds.high.x - bounds.low.x, bounds.high.y - bounds.low.y);
+  const double depth = bounds.high.z - bounds.low.z;
   glm::dmat4 clip(1.0);
-  const glm::dvec3 side = bounds.high - bounds.low;
   for (int i = 0; i < 2; ++i) {
-    set_row(clip, i, axes[static_cast<std::size_t>(i)] * (2.0 / side[i]),
-            -2.0 * bounds.low[i] / side[i] - 1.0);
+    set_row(clip, i, axes[static_cast<std::size_t>(i)] * (2.0 / side), -2.0 * centre[i] / side);
   }
-  set_row(clip, 2, axes[2] / side.z, -bounds.low.z / side.z);
+  set_row(clip, 2, axes[2] / depth, -bounds.low.z / depth);
   gl::GpuShadowLayer layer;
   layer.clip_from_world = glm::mat4(clip);
   layer.eye = to_light;
-  return {layer, static_cast<float>(std::max(side.x, side.y) / size)};
+  const double texel = side / size;
+  // A row x has the length 2 / side.
+  return {layer, texel, texel * (0.5 * side) / depth};
 }
 
 // Looks along axes[2] from the light.
@@ -93,7 +130,8 @@ Layer perspective_layer(const glm::dvec3& position, const std::array<glm::dvec3,
   layer.clip_from_world = glm::mat4(clip);
   layer.eye = glm::vec3(position);
   layer.perspective = 1;
-  return {layer, static_cast<float>(2.0 * tangent / size)};
+  // A row x has the length 1 / tangent.
+  return {layer, 2.0 * tangent / size, kNearPlane * tangent * tangent * 2.0 / size};
 }
 
 // Adds a margin for the filter at the border.
@@ -160,9 +198,11 @@ ShadowLayout make_shadow_layout(const RenderView& view, const gl::GpuScene& scen
 
   for (const scene::Light& light : view.lights) {
     gl::GpuLight& gpu = layout.gpu_lights.emplace_back(describe(light, layout.layers.size()));
+    float& texel = layout.texels.emplace_back();
     const auto add = [&](const Layer& layer) {
       layout.layers.push_back(layer.gpu);
-      gpu.texel = layer.texel;
+      texel = static_cast<float>(layer.texel);
+      gpu.plane_step = static_cast<float>(layer.plane_step);
       gpu.clip_from_world = layer.gpu.clip_from_world;
     };
     if (light.kind == scene::Light::Kind::Directional) {

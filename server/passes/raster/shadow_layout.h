@@ -1,9 +1,9 @@
 // Assigns layers of the shadow maps to lights, with their matrices.
 //
-// A directional light has one parallel layer fitted to the whole scene. A spot light has one
-// perspective layer. A point light, or a spot wider than kMaxSpotHalfAngle, has the six sides of a
-// cube. Depth is reversed: 1 at the near side and 0 at the far one; kNearPlane / distance in
-// perspective layers.
+// A directional light has one parallel layer fitted to where shadows may begin or fall. A spot
+// light has one perspective layer. A point light, or a spot wider than kMaxSpotHalfAngle, has the
+// six sides of a cube. Depth is reversed: 1 at the near side and 0 at the far one; kNearPlane /
+// distance in perspective layers.
 #pragma once
 
 #include <cstdint>
@@ -25,6 +25,8 @@ struct ShadowLayout {
 
   int size = 0;  // texels a side
   std::vector<gl::GpuLight> gpu_lights;
+  // By light: side of a texel, metres (perspective: at 1 m from the light).
+  std::vector<float> texels;
   std::vector<gl::GpuShadowLayer> layers;
 };
 

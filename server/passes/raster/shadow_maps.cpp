@@ -76,7 +76,7 @@ const gl::Texture& ensure_layers(std::optional<gl::Texture>& image, CasterClass 
     image.reset();
     const bool glass = is_glass(casters);
     image.emplace(glass ? gl::TextureFormat::Rgba32f : gl::TextureFormat::Depth32f, size, layers);
-    if (!glass) image->set_depth_comparison();
+    if (!glass) image->set_zero_outside();  // nothing occludes there
   }
   return *image;
 }

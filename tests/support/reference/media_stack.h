@@ -17,6 +17,14 @@ class MediaStack {
   // Null: air.
   const Object* innermost() const { return size_ == 0 ? nullptr : media_[size_ - 1]; }
 
+  // Null: air, without virtual objects.
+  const Object* innermost_real() const {
+    for (std::size_t i = size_; i-- > 0;) {
+      if (media_[i]->role == scene::Role::Real) return media_[i];
+    }
+    return nullptr;
+  }
+
   MediaStack entered(const Object& medium) const {
     MediaStack result = *this;
     if (result.size_ == kCapacity) result.remove(0);
@@ -48,6 +56,12 @@ class MediaStack {
 
 inline double refractive_index(const Object* medium) {
   return medium == nullptr ? 1.0 : static_cast<double>(medium->material.ior);
+}
+
+// In a medium the same light has n^2 times the radiance that it has in air.
+inline double squared_index(const MediaStack& media) {
+  const double n = refractive_index(media.innermost());
+  return n * n;
 }
 
 }  // namespace amalgam::reference

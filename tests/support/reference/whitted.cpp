@@ -13,6 +13,18 @@ namespace {
 // (relative_error.h: kDarkest times a thousandth).
 constexpr double kNegligible = 1e-7;
 
+// A medium's surface throws light back onto what it came from, again and again: a geometric series
+// of albedo times the share of diffuse light that the surface reflects inwards. L / n^2 tells that
+// share from the one reflected outwards, which is Schlick's formula over the hemisphere.
+Color gain_within(double n, const Phong& phong) {
+  if (n == 1.0) return Color(1.0);
+  const double reflected_outside =
+      schlick(normal_reflectance(1.0, n), 1.0) + (1.0 - normal_reflectance(1.0, n)) / 21.0;
+  const double reflected_inside = 1.0 - (1.0 - reflected_outside) / (n * n);
+  const Color albedo = glm::min(phong.albedo + phong.specular, Color(1.0));
+  return Color(1.0) / (Color(1.0) - albedo * reflected_inside);
+}
+
 }  // namespace
 
 Sample Whitted::trace(const Ray& primary, Decisions& decisions) const {
@@ -74,7 +86,9 @@ void Whitted::note_lift(const Branch& branch, const std::optional<Hit>& hit, Col
 }
 
 void Whitted::spawn(const Branch& child, Collector& to) const {
-  const double importance = largest_channel(child.weight);
+  // As seen from the camera's medium, where light of a denser one is spread over a wider cone.
+  const double importance =
+      largest_channel(child.weight) * squared_index(child.media) / squared_index(in_.start_media);
   if (importance == 0.0) return to.decisions.note(1);
   if (child.depth > in_.settings.max_depth || importance < in_.settings.importance_cutoff) {
     to.decisions.note(2);
@@ -86,7 +100,9 @@ void Whitted::spawn(const Branch& child, Collector& to) const {
 
 void Whitted::add_environment(const Branch& branch, Collector& to) const {
   if (in_.environment == nullptr) return;
-  const Color light = branch.weight * environment_towards(*in_.environment, branch.ray.direction);
+  // It is given as in air. A branch that ends within a medium takes it as it would be there.
+  const Color light = squared_index(branch.media) * branch.weight *
+                      environment_towards(*in_.environment, branch.ray.direction);
   if (in_.environment->low_dynamic_range) {
     to.sample.environment_reflection += light;  // must not be tone-mapped (section 4.4)
   } else {
@@ -99,7 +115,12 @@ void Whitted::add_diffuse(const Branch& branch, const Surface& surface, Collecto
   const SurfaceMaterial& material = surface.material;
   const auto [lit_mixed, lit_real] = illuminate(
       phong_of(surface.base_color(), material.metallic, material.roughness), branch, surface, to);
-  const Color m = material.emission + lit_mixed, r = material.emission + lit_real;
+  Color m = material.emission + lit_mixed, r = material.emission + lit_real;
+  if (branch.depth > 0) {
+    const Phong phong = phong_of(surface.base_color(), material.metallic, material.roughness);
+    m *= gain_within(refractive_index(branch.media.innermost()), phong);
+    r *= gain_within(refractive_index(branch.media.innermost_real()), phong);
+  }
   const Color& w = branch.weight;
   if (surface.object.role == scene::Role::Virtual) {
     to.sample.mixed += w * m;

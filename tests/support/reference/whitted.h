@@ -51,7 +51,7 @@ class Whitted {
   Sample trace(const Ray& primary, Decisions& decisions) const;
 
  private:
-  // A ray, what its light counts for in the sample, and what it is in.
+  // A ray, what its radiance counts for in the sample, and what it is in.
   struct Branch {
     Ray ray;
     Color weight{1.0};

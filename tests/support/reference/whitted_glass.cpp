@@ -74,6 +74,8 @@ void Whitted::meet_glass(const Branch& branch, const Surface& surface, Collector
     const Vec3 below = sink_refracted(*refracted_direction, surface.geometric_normal);
     Branch refracted = child_of(branch, surface, below, shares.passing);
     refracted.media = beyond;
+    // The radiance of medium n2 in medium n1: the cone widens or narrows.
+    refracted.weight *= squared_index(branch.media) / squared_index(beyond);
     spawn(refracted, to);
   }
   add_scattered(branch, surface, shares.scattered, shares.phong, to);

@@ -108,12 +108,22 @@ struct RandomFrame {
   std::mt19937 random_;
 };
 
-// What the look-up in shaders/shadow.glsl compares, for a point moved by its lift. Says whether one
-// of the texels that the filter reads is nearer to the light than the point.
+// The least depth that a look-up compares with: that of the steepest plane through the point which
+// shaders/shadow.glsl follows, at the far corner of the four texels around it.
+double least_depth(const ShadowLayout& layout, std::size_t layer, const glm::dvec3& p) {
+  const glm::dmat4 clip_from_world(layout.layers[layer].clip_from_world);
+  const glm::dvec4 clip = clip_from_world * glm::dvec4(p, 1.0);
+  const double texel = layout.texels[0];
+  const double rise = std::sqrt(2.0) * texel / gl::kLeastShadowCosine;
+  if (layout.layers[layer].perspective != 0) return (1.0 - rise) * clip.z / clip.w;
+  const glm::dvec3 along(clip_from_world[0][2], clip_from_world[1][2], clip_from_world[2][2]);
+  return clip.z - rise * glm::length(along);
+}
+
+// Whether a look-up of the point may find a caster in the map, if the point's surface is steep.
 bool is_shaded(const ShadowLayout& layout, std::size_t layer, const std::vector<float>& map,
-               const glm::dvec3& lifted, bool cube_side) {
-  const glm::dvec4 clip =
-      glm::dmat4(layout.layers[layer].clip_from_world) * glm::dvec4(lifted, 1.0);
+               const glm::dvec3& p, bool cube_side) {
+  const glm::dvec4 clip = glm::dmat4(layout.layers[layer].clip_from_world) * glm::dvec4(p, 1.0);
   // Depth 0 is behind everything that there is.
   if (!(clip.w > 0.0) || !(clip.z > 0.0)) return false;
   // A cube's side is asked only for what it sees best; the rest of it is room for the filter.
@@ -125,21 +135,11 @@ bool is_shaded(const ShadowLayout& layout, std::size_t layer, const std::vector<
       const int i = static_cast<int>(std::floor(at.x)) + x;
       const int j = static_cast<int>(std::floor(at.y)) + y;
       if (i < 0 || j < 0 || i >= layout.size || j >= layout.size) continue;
-      if (map[static_cast<std::size_t>(j * layout.size + i)] > clip.z / clip.w) return true;
+      const double stored = map[static_cast<std::size_t>(j * layout.size + i)];
+      if (stored > std::max(least_depth(layout, layer, p), 0.0)) return true;
     }
   }
   return false;
-}
-
-// Often along one of the map's own axes, where it moves the look-up most.
-glm::dvec3 any_direction(std::mt19937& random, const gl::GpuShadowLayer& layer) {
-  const int row = static_cast<int>(random() % 5);
-  std::normal_distribution<double> normal;
-  if (row > 2) return glm::normalize(glm::dvec3(normal(random), normal(random), normal(random)));
-  const glm::mat4& clip = layer.clip_from_world;
-  const int used = layer.perspective != 0 && row == 2 ? 3 : row;
-  const glm::dvec3 axis(clip[0][used], clip[1][used], clip[2][used]);
-  return glm::normalize(random() % 2 == 0 ? axis : -axis);
 }
 
 // Single texels of casters, each barely in front of some point of the scene: every margin counts.
@@ -173,18 +173,10 @@ TEST(ReachedTiles, AreAllThatAnyPointsLookUpIsShadedIn) {
                          z * (pixel.y - view.ideal.cy) / view.ideal.fy, z);
       return glm::dvec3(world_from_camera * glm::dvec4(p, 1.0));
     };
-    const auto lifted = [&](glm::dvec3 p, std::size_t layer) {
-      double texel = layout.gpu_lights[0].texel;
-      if (layout.layers[0].perspective != 0) {
-        texel *= glm::distance(p, glm::dvec3(view.lights[0].position));
-      }
-      return p + 1.5 * texel * any_direction(random, layout.layers[layer]);
-    };
-
     for (std::size_t layer = 0; layer < layout.layers.size(); ++layer) {
       std::vector<float> map(static_cast<std::size_t>(layout.size * layout.size), 0.0f);
       for (int i = 0; i < 12; ++i) {
-        const glm::dvec3 p = lifted(point_in(random() % grid.count()), layer);
+        const glm::dvec3 p = point_in(random() % grid.count());
         const glm::dvec4 clip =
             glm::dmat4(layout.layers[layer].clip_from_world) * glm::dvec4(p, 1.0);
         const glm::dvec2 at = 0.5 * glm::dvec2(clip) / clip.w + 0.5;
@@ -196,7 +188,7 @@ TEST(ReachedTiles, AreAllThatAnyPointsLookUpIsShadedIn) {
                                                 glm::ivec2(random() % 2, random() % 2),
                                             0, layout.size - 1);
         map[static_cast<std::size_t>(texel.y * layout.size + texel.x)] =
-            static_cast<float>(clip.z / clip.w * (1.0 + 1e-4));
+            static_cast<float>(std::max(least_depth(layout, layer, p), 0.0) * (1.0 + 1e-4) + 1e-12);
       }
       // The other layers stay empty.
       ShadowLayout one = layout;
@@ -209,8 +201,7 @@ TEST(ReachedTiles, AreAllThatAnyPointsLookUpIsShadedIn) {
       for (std::size_t tile = 0; tile < grid.count(); ++tile) {
         left_out += shadowed[tile] == 0 ? 1 : 0;
         for (int i = 0; i < 300; ++i) {
-          if (!is_shaded(one, 0, map, lifted(point_in(tile), layer), layout.layers.size() == 6))
-            continue;
+          if (!is_shaded(one, 0, map, point_in(tile), layout.layers.size() == 6)) continue;
           ++shaded_points;
           EXPECT_NE(shadowed[tile], 0)
               << "seed " << seed << ", tile " << tile << ", layer " << layer << " of "
@@ -237,6 +228,7 @@ ShadowLayout spot_layout(int size) {
   layout.layers[0].perspective = 1;
   layout.gpu_lights.resize(1);
   layout.gpu_lights[0].layer_count = 1;
+  layout.texels = {0.0f};
   return layout;
 }
 
@@ -244,7 +236,7 @@ ShadowLayout spot_layout(int size) {
 // a tile of points that all lie within half a texel beyond, on each side.
 TEST(ReachedTiles, WhatLiesJustBeyondASpotsBorderIsAsked) {
   constexpr int kSize = 16;
-  const ShadowLayout layout = spot_layout(kSize);  // without lift: its texels have no size
+  const ShadowLayout layout = spot_layout(kSize);  // its texels have no size: no plane is steep
   // Something half way between the light and whatever is 1 m away, everywhere.
   const auto half_way = static_cast<float>(2.0 * kNearPlane);
   const CasterCells cells =
@@ -264,13 +256,13 @@ TEST(ReachedTiles, WhatLiesJustBeyondASpotsBorderIsAsked) {
   }
 }
 
-// A spot's texels grow with the distance, and so does the lift of a look-up: a caster a little
-// behind a far surface occludes it too.
-TEST(ReachedTiles, TheLiftOfALookUpGrowsWithTheDistance) {
+// A spot's texels grow with the distance, and so does what a steep plane rises within them: a
+// caster a little behind a far surface occludes it too.
+TEST(ReachedTiles, WhatAPlaneRisesInATexelGrowsWithTheDistance) {
   constexpr int kSize = 16;
   constexpr double kDistance = 20.0;
   ShadowLayout layout = spot_layout(kSize);
-  layout.gpu_lights[0].texel = 0.02f;  // for each metre: look-ups are lifted by 1.5 * 0.4 m
+  layout.texels[0] = 0.005f;  // for each metre. 0.005 * sqrt(2) * 64: up to 45 % of the distance
   const DepthRange depths[] = {{0.999 * kDistance, 1.001 * kDistance}};
   const RenderView view = make_view(scene::Scene(), make_pinhole(16, 16, 1000.0),
                                     look_at(glm::dvec3(0.0), glm::dvec3(0.0, 0.0, -1.0)), {});
@@ -281,7 +273,7 @@ TEST(ReachedTiles, TheLiftOfALookUpGrowsWithTheDistance) {
     return tiles_in_shadow(view, layout, casters, depths).front() != 0;
   };
   EXPECT_TRUE(shadowed(kDistance - 1.0));
-  EXPECT_TRUE(shadowed(kDistance + 0.5));
+  EXPECT_TRUE(shadowed(1.7 * kDistance));
   EXPECT_FALSE(shadowed(2.0 * kDistance));
 }
 

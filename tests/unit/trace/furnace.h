@@ -13,7 +13,8 @@ namespace amalgam::trace {
 inline constexpr float kFurnaceBound = 5e-6f;
 
 // Every pixel that shows one of the scene's objects (virtual ones, about the origin, some 2 m
-// across) shows 1: from three sides and from within, for several depths and cut-offs.
+// across) shows 1, and n^2 from within a medium: from three sides and from within, for several
+// depths and cut-offs.
 void expect_furnace(const scene::Scene& scene);
 
 }  // namespace amalgam::trace
