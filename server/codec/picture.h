@@ -1,8 +1,9 @@
-// Pictures of scenes: PNG and JPEG textures, Radiance (.hdr) environment maps. The only user of
-// stb_image. Unlike camera frames (codec/jpeg.h) they come from the operator.
+// Pictures of scenes: PNG and JPEG textures and environment maps. The only user of stb_image.
+// Unlike camera frames (codec/jpeg.h) they come from the operator.
 #pragma once
 
 #include <cstddef>
+#include <glm/vec2.hpp>
 #include <span>
 #include <stdexcept>
 
@@ -29,7 +30,7 @@ void check_picture(std::span<const std::byte> encoded);
 // none. 16-bit channels are reduced to 8. The size is checked before anything is decoded.
 common::ImageRgba8 decode_picture(std::span<const std::byte> encoded);
 
-// Radiance RGBE to scene-linear values.
-common::ImageRgb32f decode_radiance_hdr(std::span<const std::byte> encoded);
+// Throws PictureError for a size outside the limits.
+void check_picture_size(const glm::ivec2& size);
 
 }  // namespace amalgam::codec

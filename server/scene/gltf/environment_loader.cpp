@@ -5,6 +5,7 @@
 
 #include "codec/exr.h"
 #include "codec/picture.h"
+#include "codec/radiance_hdr.h"
 #include "scene/gltf/sanitize.h"
 #include "scene/gltf/scene_folder.h"
 #include "scene/light/tone_map.h"
