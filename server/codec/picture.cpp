@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include <webp/decode.h>
+
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
 #define STBI_ONLY_PNG
@@ -82,6 +84,35 @@ bool has_too_many_scans(std::span<const std::byte> jpeg) {
   return scans > kMaxScans;
 }
 
+bool is_webp(std::span<const std::byte> bytes) {
+  constexpr std::array<unsigned char, 4> kRiff{'R', 'I', 'F', 'F'}, kWebp{'W', 'E', 'B', 'P'};
+  return bytes.size() >= 12 && begins_with(bytes, kRiff) && begins_with(bytes.subspan(8), kWebp);
+}
+
+glm::ivec2 webp_size(std::span<const std::byte> encoded) {
+  const Input input = input_of(encoded);
+  WebPBitstreamFeatures features;
+  if (WebPGetFeatures(input.data, static_cast<std::size_t>(input.size), &features) !=
+      VP8_STATUS_OK) {
+    throw PictureError("not a readable picture: damaged WebP");
+  }
+  if (features.has_animation) throw PictureError("animated WebP is not supported");
+  check_picture_size({features.width, features.height});
+  return {features.width, features.height};
+}
+
+common::ImageRgba8 decode_webp(std::span<const std::byte> encoded) {
+  const Input input = input_of(encoded);
+  const glm::ivec2 size = webp_size(encoded);
+  common::ImageRgba8 image(size.x, size.y);
+  auto* const pixels = reinterpret_cast<std::uint8_t*>(image.data());
+  if (!WebPDecodeRGBAInto(input.data, static_cast<std::size_t>(input.size), pixels,
+                          image.pixels().size_bytes(), 4 * size.x)) {
+    throw PictureError("damaged picture: WebP");
+  }
+  return image;
+}
+
 }  // namespace
 
 void check_picture_size(const glm::ivec2& size) {
@@ -94,11 +125,16 @@ void check_picture_size(const glm::ivec2& size) {
 }
 
 bool is_picture(std::span<const std::byte> encoded) {
-  return begins_with(encoded, kPngSignature) || begins_with(encoded, kJpegSignature);
+  return begins_with(encoded, kPngSignature) || begins_with(encoded, kJpegSignature) ||
+         is_webp(encoded);
 }
 
 void check_picture(std::span<const std::byte> encoded) {
-  if (!is_picture(encoded)) throw PictureError("picture is neither PNG nor JPEG");
+  if (!is_picture(encoded)) throw PictureError("picture is neither PNG nor JPEG nor WebP");
+  if (is_webp(encoded)) {
+    webp_size(encoded);
+    return;
+  }
   checked_size(input_of(encoded));
   if (begins_with(encoded, kPngSignature) && !has_png_end(encoded))
     throw PictureError("PNG ends before its IEND chunk");
@@ -108,6 +144,7 @@ void check_picture(std::span<const std::byte> encoded) {
 
 common::ImageRgba8 decode_picture(std::span<const std::byte> encoded) {
   check_picture(encoded);
+  if (is_webp(encoded)) return decode_webp(encoded);
   const Input input = input_of(encoded);
   int width = 0, height = 0, channels = 0;
   const std::unique_ptr<stbi_uc, PixelCloser> pixels(

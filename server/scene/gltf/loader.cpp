@@ -29,7 +29,7 @@ class SceneBuilder {
   }
 
   void build() {
-    check_accessor_data(gltf_.model);
+    check_accessor_data(gltf_.model, scene_.notes);
     ResolvedMaterials materials = resolve_materials(gltf_, scene_.textures, scene_.notes);
     // Every mesh is read, drawn or not: a file with a broken one is a broken file.
     // Primitives may share accessors, so that a small file can ask for any number of vertices.
@@ -102,6 +102,11 @@ class SceneBuilder {
     const tinygltf::Node& node = gltf_.model.nodes[index];
     const std::string name = node.name.empty() ? nodes_[index].path() : node.name;
     if (const auto light = node_light(nodes_[index], lights_.size())) {
+      if (is_collapsed(visit.anchor_from_parent)) {
+        scene_.notes.push_back(nodes_[index].path() +
+                               ": is scaled to nothing, its light is left out");
+        return;
+      }
       PunctualLight placed = lights_[*light];
       placed.node = name;
       placed.anchor_from_light = visit.anchor_from_parent;
@@ -111,6 +116,10 @@ class SceneBuilder {
     if (node.mesh < 0) return;
     const Parts& parts = parts_of(static_cast<std::size_t>(node.mesh));
     if (parts.empty()) return;
+    if (is_collapsed(visit.anchor_from_parent)) {
+      scene_.notes.push_back(nodes_[index].path() + ": is scaled to nothing, not drawn");
+      return;
+    }
     check_transform_usable(visit.anchor_from_parent, nodes_[index].path());
     if (node.skin >= 0)
       scene_.notes.push_back(nodes_[index].path() + ": skin ignored, drawn as modelled");
@@ -159,7 +168,7 @@ class SceneBuilder {
 
 SceneExtras extras_of_default_scene(const GltfModel& gltf) {
   const auto scenes = JsonCursor(gltf.document).find("scenes");
-  if (!scenes) return {};
+  if (!scenes || scenes->items().empty()) return {};
   return read_scene_extras(
       scenes->items()[static_cast<std::size_t>(std::max(gltf.model.defaultScene, 0))]);
 }
