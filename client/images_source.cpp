@@ -16,6 +16,12 @@ namespace {
 std::vector<std::filesystem::path> matching_files(const std::vector<std::string>& patterns) {
   std::vector<std::filesystem::path> files;
   for (const std::string& pattern : patterns) {
+    // A name with brackets is a name first.
+    std::error_code error;
+    if (std::filesystem::exists(pattern, error)) {
+      files.emplace_back(pattern);
+      continue;
+    }
     glob_t matches{};
     const int result = glob(pattern.c_str(), GLOB_TILDE, nullptr, &matches);
     for (std::size_t i = 0; result == 0 && i < matches.gl_pathc; ++i) {

@@ -8,6 +8,8 @@
 
 #include <exception>
 
+#include "common/whole_file.h"
+
 namespace amalgam::codec {
 namespace {
 
@@ -39,9 +41,11 @@ void write_exr(const std::filesystem::path& path, const Channels& channels) {
       auto& writable = const_cast<common::Image32f&>(image);
       frame_buffer.insert(name, slice_of(writable, header.dataWindow()));
     }
-    Imf::OutputFile file(path.c_str(), header);
-    file.setFrameBuffer(frame_buffer);
-    file.writePixels(size.y);
+    common::write_whole_file(path, [&](const std::filesystem::path& part) {
+      Imf::OutputFile file(part.c_str(), header);
+      file.setFrameBuffer(frame_buffer);
+      file.writePixels(size.y);
+    });
   } catch (const ExrError&) {
     throw;
   } catch (const std::exception& caught) {

@@ -2,7 +2,6 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -12,6 +11,8 @@
 #include "client/tools/render/render_report.h"
 #include "common/build_info.h"
 #include "common/log.h"
+#include "common/run_program.h"
+#include "common/whole_file.h"
 #include "frame/frame_renderer.h"
 #include "frame/rendering_threads.h"
 #include "scene/gltf/loader.h"
@@ -76,10 +77,7 @@ void write_picture(const std::string& path, common::ImageRgb8 image) {
     throw std::runtime_error(path + ": pictures are written as .png or .jpg");
   }
   cv::imencode(extension, rgb, encoded);
-  std::ofstream file(path, std::ios::binary);
-  file.write(reinterpret_cast<const char*>(encoded.data()),
-             static_cast<std::streamsize>(encoded.size()));
-  if (!file) throw std::runtime_error(path + ": cannot be written");
+  common::write_whole_file(path, {reinterpret_cast<const char*>(encoded.data()), encoded.size()});
 }
 
 void run(const Options& options) {
@@ -113,9 +111,7 @@ void run(const Options& options) {
                                       std::filesystem::path(options.dump) / "provenance.png");
     }
   }
-  if (!options.graph.empty() && !(std::ofstream(options.graph) << renderer.last_graph())) {
-    throw std::runtime_error(options.graph + ": cannot be written");
-  }
+  if (!options.graph.empty()) common::write_whole_file(options.graph, renderer.last_graph());
   if (options.explain) tools::print_passes(options.json ? std::cerr : std::cout, frames.back());
   if (options.json) tools::print_json(std::cout, frames);
 }
@@ -130,16 +126,15 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", [] {
     return common::version_line("amalgam-render") + "; " + frame::ray_tracer_version();
   });
-  try {
-    app.parse(argc, argv);
-    if (!options.size.empty()) parse_size(options.size, options);
-    frame::limit_llvmpipe_threads(options.renderer);
-    run(options);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error);
-  } catch (const std::exception& error) {
-    std::cerr << "amalgam-render: " << error.what() << "\n";
-    return 1;
-  }
-  return 0;
+  return common::run_program("amalgam-render", [&] {
+    try {
+      app.parse(argc, argv);
+      if (!options.size.empty()) parse_size(options.size, options);
+      frame::limit_llvmpipe_threads(options.renderer);
+      run(options);
+      return 0;
+    } catch (const CLI::ParseError& error) {
+      return app.exit(error);
+    }
+  });
 }
