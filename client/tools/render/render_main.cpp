@@ -16,6 +16,7 @@
 #include "frame/frame_renderer.h"
 #include "frame/rendering_threads.h"
 #include "scene/gltf/loader.h"
+#include "scene/likely_mistakes.h"
 #include "server/renderer_options.h"
 
 namespace {
@@ -84,10 +85,17 @@ void run(const Options& options) {
   frame::RendererSettings settings = options.renderer;
   settings.reuse_still_frames = options.still;
   frame::FrameRenderer renderer(scene::load_scene(options.scene), settings);
+  for (const std::string& warning : renderer.scene().warnings) common::log_warn(warning);
   for (const std::string& note : renderer.scene().notes) common::log_debug(note);
   tools::RenderInput input = tools::load_render_input(options.input, renderer.scene());
   const std::string warning = tools::describe_missing_markers(input, renderer.scene());
   if (!warning.empty()) common::log_warn(warning);
+  for (const common::MarkerPose& pose : input.frame.poses) {
+    const glm::dvec3 camera = glm::inverse(pose.rotation) * -pose.translation;
+    for (const std::string& node : scene::nodes_around(renderer.scene(), pose.marker, camera)) {
+      common::log_warn("the camera is inside the model " + node);
+    }
+  }
   frame::ViewOptions view_options{.camera = input.camera};
   view_options.keep_pixels = true;
   frame::ViewState view(view_options);

@@ -4,6 +4,7 @@
 #include <exception>
 #include <map>
 
+#include "scene/glass_winding.h"
 #include "scene/gltf/accessor.h"
 #include "scene/gltf/environment_loader.h"
 #include "scene/gltf/extras.h"
@@ -13,6 +14,7 @@
 #include "scene/gltf/model.h"
 #include "scene/gltf/scene_folder.h"
 #include "scene/gltf/transform.h"
+#include "scene/likely_mistakes.h"
 
 namespace amalgam::scene {
 namespace {
@@ -186,6 +188,12 @@ Scene load_unnamed(const std::filesystem::path& path, const LoadOptions& options
     scene.environment =
         load_environment(SceneFolder(path).resolve(*extras.environment), scene.notes);
   }
+  turn_glass_outward(scene);
+  const auto add = [&](std::vector<std::string> warnings) {
+    scene.warnings.insert(scene.warnings.end(), warnings.begin(), warnings.end());
+  };
+  add(doubtful_extras(JsonCursor(gltf.document)));
+  add(likely_mistakes(scene));
   return scene;
 }
 
