@@ -52,6 +52,12 @@ cv::Mat decode(const std::filesystem::path& file, const Bytes& bytes) {
 ImagesSource::ImagesSource(const ImagesOptions& options)
     : options_(options), files_(matching_files(options.patterns)), size_(options.size) {
   if (files_.empty()) throw std::runtime_error("no images");
+  // A missing one is said now, and not when the server waits for it.
+  for (const std::filesystem::path& file : files_) {
+    if (!std::filesystem::is_regular_file(file) || !std::ifstream(file)) {
+      throw std::runtime_error(file.string() + " cannot be read");
+    }
+  }
   if (size_.empty()) size_ = decode(files_[0], read_file(files_[0])).size();
 }
 

@@ -5,6 +5,7 @@
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfOutputFile.h>
+#include <ImfStandardAttributes.h>
 
 #include <exception>
 
@@ -27,12 +28,14 @@ Imf::Slice slice_of(common::Image32f& image, const Imath::Box2i& window) {
 
 }  // namespace
 
-void write_exr(const std::filesystem::path& path, const Channels& channels) {
+void write_exr(const std::filesystem::path& path, const Channels& channels,
+               const std::string& comments) {
   if (channels.empty() || channels.front().second.empty()) fail(path, "nothing to write");
   const glm::ivec2 size = channels.front().second.size();
   try {
     Imf::Header header(size.x, size.y);
     header.compression() = Imf::ZIP_COMPRESSION;
+    if (!comments.empty()) Imf::addComments(header, comments);
     Imf::FrameBuffer frame_buffer;
     for (const auto& [name, image] : channels) {
       if (image.size() != size) fail(path, "channel " + name + " has another size than the first");
@@ -57,7 +60,7 @@ namespace {
 
 template <typename Pixel>
 void write_components(const std::filesystem::path& path, const common::Image<Pixel>& image,
-                      const char* names) {
+                      const char* names, const std::string& comments) {
   Channels channels;
   for (int component = 0; component < Pixel::length(); ++component) {
     common::Image32f plane(image.width(), image.height());
@@ -66,21 +69,24 @@ void write_components(const std::filesystem::path& path, const common::Image<Pix
     for (std::size_t i = 0; i < to.size(); ++i) to[i] = from[i][component];
     channels.emplace_back(std::string(1, names[component]), std::move(plane));
   }
-  write_exr(path, channels);
+  write_exr(path, channels, comments);
 }
 
 }  // namespace
 
-void write_exr(const std::filesystem::path& path, const common::ImageRgb32f& image) {
-  write_components(path, image, "RGB");
+void write_exr(const std::filesystem::path& path, const common::ImageRgb32f& image,
+               const std::string& comments) {
+  write_components(path, image, "RGB", comments);
 }
 
-void write_exr(const std::filesystem::path& path, const common::ImageRgba32f& image) {
-  write_components(path, image, "RGBA");
+void write_exr(const std::filesystem::path& path, const common::ImageRgba32f& image,
+               const std::string& comments) {
+  write_components(path, image, "RGBA", comments);
 }
 
-void write_exr(const std::filesystem::path& path, const common::Image32f& image) {
-  write_exr(path, Channels{{"Y", image}});
+void write_exr(const std::filesystem::path& path, const common::Image32f& image,
+               const std::string& comments) {
+  write_exr(path, Channels{{"Y", image}}, comments);
 }
 
 }  // namespace amalgam::codec

@@ -40,11 +40,16 @@ std::map<std::string, common::Image32f> read_exr_channels(const std::filesystem:
 common::ImageRgb32f read_exr(const std::filesystem::path& path,
                              std::vector<std::string>* notes = nullptr);
 
-// As 32-bit floats, ZIP-compressed. All channels must have one size. Throws ExrError.
+// As 32-bit floats, ZIP-compressed. All channels must have one size. comments: the attribute of
+// that name, if not empty. Throws ExrError.
 void write_exr(const std::filesystem::path& path,
-               const std::vector<std::pair<std::string, common::Image32f>>& channels);
-void write_exr(const std::filesystem::path& path, const common::ImageRgb32f& image);   // R G B
-void write_exr(const std::filesystem::path& path, const common::ImageRgba32f& image);  // R G B A
-void write_exr(const std::filesystem::path& path, const common::Image32f& image);      // Y
+               const std::vector<std::pair<std::string, common::Image32f>>& channels,
+               const std::string& comments = {});
+void write_exr(const std::filesystem::path& path, const common::ImageRgb32f& image,
+               const std::string& comments = {});  // R G B
+void write_exr(const std::filesystem::path& path, const common::ImageRgba32f& image,
+               const std::string& comments = {});  // R G B A
+void write_exr(const std::filesystem::path& path, const common::Image32f& image,
+               const std::string& comments = {});  // Y
 
 }  // namespace amalgam::codec

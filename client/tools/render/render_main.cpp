@@ -46,18 +46,26 @@ void parse_size(const std::string& text, Options& options) {
 void add_options(CLI::App& app, Options& options) {
   app.add_option("--scene", options.scene, "glTF scene (.gltf, .glb)")->capture_default_str();
   app.add_option("--camera-image", options.input.camera_image, "picture that the camera took");
-  app.add_option("--calibration", options.input.calibration,
-                 "OpenCV camera file (YAML); without it 60 degrees wide and no distortion");
+  app.add_option(
+      "--calibration", options.input.calibration,
+      "camera file of OpenCV, ROS or Kalibr; without it 60 degrees wide and no distortion");
   app.add_option(
       "--poses", options.input.poses,
-      "JSON with camera_from_marker poses (metres); without it markers are looked for in "
+      "JSON file: {\"poses\": [{\"marker\": 40, \"rotation\": [x, y, z, w], \"translation\": [x, "
+      "y, "
+      "z]}, ...]}; camera_from_marker, metres, camera with +x right, +y up and -z forward as in "
+      "PROTOCOL.md, a unit quaternion; as --json prints them; without it markers are looked for in "
       "the image");
   app.add_option("--size", options.size, "WxH in pixels, without --camera-image: mid grey")
       ->default_str("640x480");
   app.add_option("--output", options.output, "picture to write the composite to: .png, or .jpg");
   tools::add_renderer_options(app, options.renderer);
-  app.add_option("--dump", options.dump,
-                 "folder to write every buffer to, as EXR, and where light came from as a picture");
+  app.add_option(
+      "--dump", options.dump,
+      "folder to write every buffer to, as EXR, and where light came from as a picture; "
+      "with several samples, over and difference are their averages after refinement, the "
+      "others the first sample of each pixel before it, (n - 1) / 2n of a pixel up and left "
+      "of the middle (the files' comments say which)");
   app.add_option("--graph", options.graph, "file to write the frame graph to, for Graphviz");
   app.add_option("--repeat", options.repeat, "render the frame so many times, for timing")
       ->check(CLI::Range(1, 100000))
@@ -121,7 +129,7 @@ void run(const Options& options) {
   }
   if (!options.graph.empty()) common::write_whole_file(options.graph, renderer.last_graph());
   if (options.explain) tools::print_passes(options.json ? std::cerr : std::cout, frames.back());
-  if (options.json) tools::print_json(std::cout, frames);
+  if (options.json) tools::print_json(std::cout, frames, input.frame.poses);
 }
 
 }  // namespace

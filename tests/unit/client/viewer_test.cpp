@@ -50,6 +50,14 @@ Bytes picture(int width, int height, const std::vector<int>& parameters = {},
   return bytes;
 }
 
+TEST(ImagesSource, UnreadableFilesAreSaidAtOnce) {
+  const auto folder = fresh_folder();
+  write(folder / "a.jpg", encode_jpeg(cv::Mat(16, 16, CV_8UC3, cv::Scalar::all(50)), 90));
+  std::filesystem::create_directory(folder / "b.jpg");
+  const ImagesOptions options{.patterns = {(folder / "*.jpg").string()}, .size = {}};
+  EXPECT_THROW(ImagesSource{options}, std::runtime_error);
+}
+
 // "a[1].jpg" is also a pattern, which "a1.jpg" matches.
 TEST(ImagesSource, ANameIsANameFirst) {
   const auto folder = fresh_folder();
