@@ -28,14 +28,16 @@ CaptureSource CaptureSource::film(const std::string& file, cv::Size size, int jp
   // OpenCV 4.6 turns films the wrong way by their rotation tag (opencv issue 22088), so we turn
   // them.
   capture.set(cv::CAP_PROP_ORIENTATION_AUTO, 0);
-  CaptureSource source(std::move(capture), false, size, jpeg_quality, file);
-  return source;
+  return {std::move(capture), false, size, jpeg_quality, file};
 }
 
 namespace {
 
-// Turns a frame by the rotation that the film's player should apply: degrees clockwise, as FFmpeg's
-// "rotate" tag says and CAP_PROP_ORIENTATION_META passes on.
+// CAP_PROP_ORIENTATION_META up to OpenCV 4.6 is FFmpeg's angle, counter-clockwise; later versions
+// negate it.
+constexpr bool kMetaIsClockwise = CV_VERSION_MAJOR > 4 || CV_VERSION_MINOR > 6;
+
+// Turns a frame so many degrees clockwise, to the next quarter.
 void turn(cv::Mat& frame, int degrees) {
   const int turns = ((degrees % 360 + 360) % 360 + 45) / 90 % 4;
   constexpr std::array kTurns{cv::ROTATE_90_CLOCKWISE, cv::ROTATE_180,
@@ -50,7 +52,10 @@ void turn(cv::Mat& frame, int degrees) {
 
 bool CaptureSource::read(cv::Mat& frame) {
   if (!capture_.read(frame) || frame.empty()) return false;
-  if (!live_) turn(frame, static_cast<int>(capture_.get(cv::CAP_PROP_ORIENTATION_META)));
+  if (!live_) {
+    const int meta = static_cast<int>(capture_.get(cv::CAP_PROP_ORIENTATION_META));
+    turn(frame, kMetaIsClockwise ? meta : -meta);
+  }
   return true;
 }
 

@@ -45,6 +45,29 @@ TEST(ProgramOutput, ReportsAreComplete) {
   EXPECT_EQ(exit_code(program("amalgam-inspect") + " --json " + scene + " > /dev/full"), 1);
 }
 
+// Errors name the key and not the JSON library.
+TEST(ProgramOutput, ErrorsOfPosesNameTheKey) {
+  const fs::path folder = fs::path(testing::TempDir()) / "amalgam_poses_errors";
+  fs::create_directories(folder);
+  for (const auto& [json, says] :
+       {std::pair("{}", "has no .poses."),
+        {"[1]", "has no .poses."},
+        {"{", "is not JSON"},
+        {"{\"poses\": 3}", ".poses. is not a list"},
+        {"{\"poses\": [{\"marker\": 1, \"rotation\": [0,0,1], \"translation\": [0,0,0]}]}",
+         "poses.0.: .rotation. is not 4 numbers"},
+        {"{\"poses\": [{\"marker\": \"x\", \"rotation\": [0,0,0,1], \"translation\": [0,0,0]}]}",
+         "poses.0.: .marker. is not a number"}}) {
+    std::ofstream(folder / "poses.json") << json;
+    EXPECT_EQ(
+        exit_code(program("amalgam-render") + " --renderer raytrace --size 16x16 --scene " +
+                  AMALGAM_SOURCE_DIR "/deploy/scenes/diffuse.gltf --poses " +
+                  (folder / "poses.json").string() + " 2>&1 >/dev/null | grep -q \"" + says + "\""),
+        0)
+        << json;
+  }
+}
+
 // A picture that cannot be written whole does not take its name. The limit is on file sizes.
 TEST(ProgramOutput, HalfWrittenFilesAreRemoved) {
   const fs::path folder = fs::path(testing::TempDir()) / "amalgam_half_written";
