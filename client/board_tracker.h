@@ -21,14 +21,19 @@ class BoardTracker {
     std::size_t repeated = 0;                // further markers with the same id: ignored
     std::size_t outliers = 0;                // markers that contradicted the others
   };
-  // frame counts images, as for PoseDisambiguation. Of markers with the same id, takes the one that
-  // fits the last pose best, or the largest if there is no last pose.
+  // A board of two possible layouts has no pose until an image shows which one was printed: one
+  // marker, or a row of them, fits both, in two places. frame counts images, as for
+  // PoseDisambiguation. Of markers with the same id, takes the one that fits the last pose best, or
+  // the largest if there is no last pose.
   Tracked track(std::span<const DetectedMarker> detected, std::uint64_t frame);
 
   const MarkerBoard& board() const { return board_; }
 
  private:
-  MarkerBoard board_;
+  // Takes the layout that the markers fit, and says if it is the older one.
+  void choose_layout(std::span<const SeenBoardMarker> seen);
+
+  MarkerBoard board_;  // without older_markers once the layout is known
   common::CameraModel camera_;
   PoseDisambiguation memory_;
 };

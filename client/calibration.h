@@ -1,9 +1,8 @@
 // Reads a camera's calibration, so that poses and rendering use the camera's real lens.
 //
-// Files are OpenCV's (YAML, XML or JSON as cv::FileStorage reads them): camera_matrix (3x3,
-// pixels), distortion_coefficients (0 to 14 numbers in OpenCV's order; the two of a tilted sensor
-// must be 0), optionally image_width and image_height (pixels). Errors are std::runtime_error with
-// one line.
+// calibration_file.h lists the kinds of files: a 3x3 camera matrix (pixels), 0 to 14 distortion
+// coefficients in OpenCV's order (the two of a tilted sensor must be 0), optionally the image's
+// size (pixels). Errors are std::runtime_error with one line.
 #pragma once
 
 #include <filesystem>
@@ -16,8 +15,8 @@ namespace amalgam::client {
 common::CameraModel load_calibration(const std::filesystem::path& file);
 
 // The calibration for images of this size (pixels). A calibration without a size takes the image's.
-// One of another size is scaled if the aspect ratio is the same to within one pixel; otherwise
-// throws. Also throws if the resulting camera cannot be rendered with.
+// One of another size is scaled, with a warning in the log, if the aspect ratio is the same to
+// within one pixel; otherwise throws. Also throws if the resulting camera cannot be rendered with.
 common::CameraModel fit_to_image(const common::CameraModel& calibration, int width, int height);
 
 }  // namespace amalgam::client

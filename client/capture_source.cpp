@@ -1,6 +1,8 @@
 #include "client/capture_source.h"
 
+#include <array>
 #include <filesystem>
+#include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
@@ -23,13 +25,44 @@ CaptureSource CaptureSource::film(const std::string& file, cv::Size size, int jp
   if (!std::filesystem::is_regular_file(file)) throw std::runtime_error(file + ": no such file");
   cv::VideoCapture capture(file);
   if (!capture.isOpened()) throw std::runtime_error(file + " is no film that can be read");
+  // OpenCV 4.6 turns films the wrong way by their rotation tag (opencv issue 22088), so we turn
+  // them.
+  capture.set(cv::CAP_PROP_ORIENTATION_AUTO, 0);
   return {std::move(capture), false, size, jpeg_quality, file};
+}
+
+namespace {
+
+// CAP_PROP_ORIENTATION_META up to OpenCV 4.6 is FFmpeg's angle, counter-clockwise; later versions
+// negate it.
+constexpr bool kMetaIsClockwise = CV_VERSION_MAJOR > 4 || CV_VERSION_MINOR > 6;
+
+// Turns a frame so many degrees clockwise, to the next quarter.
+void turn(cv::Mat& frame, int degrees) {
+  const int turns = ((degrees % 360 + 360) % 360 + 45) / 90 % 4;
+  constexpr std::array kTurns{cv::ROTATE_90_CLOCKWISE, cv::ROTATE_180,
+                              cv::ROTATE_90_COUNTERCLOCKWISE};
+  if (turns == 0) return;
+  cv::Mat turned;
+  cv::rotate(frame, turned, kTurns[static_cast<std::size_t>(turns - 1)]);
+  frame = turned;
+}
+
+}  // namespace
+
+bool CaptureSource::read(cv::Mat& frame) {
+  if (!capture_.read(frame) || frame.empty()) return false;
+  if (!live_) {
+    const int meta = static_cast<int>(capture_.get(cv::CAP_PROP_ORIENTATION_META));
+    turn(frame, kMetaIsClockwise ? meta : -meta);
+  }
+  return true;
 }
 
 CaptureSource::CaptureSource(cv::VideoCapture capture, bool live, cv::Size size, int jpeg_quality,
                              const std::string& name)
     : capture_(std::move(capture)), size_(size), live_(live), jpeg_quality_(jpeg_quality) {
-  if (!capture_.read(first_) || first_.empty()) throw std::runtime_error(name + " has no frames");
+  if (!read(first_)) throw std::runtime_error(name + " has no frames");
   if (size_.empty()) size_ = first_.size();
 }
 
@@ -37,7 +70,7 @@ std::optional<CapturedFrame> CaptureSource::next() {
   CapturedFrame frame;
   if (!first_.empty()) {
     cv::swap(frame.bgr, first_);
-  } else if (!capture_.read(frame.bgr) || frame.bgr.empty()) {
+  } else if (!read(frame.bgr)) {
     return std::nullopt;
   }
   frame.captured_at = std::chrono::steady_clock::now();

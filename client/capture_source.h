@@ -24,6 +24,8 @@ class CaptureSource : public CameraSource {
   CaptureSource(cv::VideoCapture capture, bool live, cv::Size size, int jpeg_quality,
                 const std::string& name);
 
+  bool read(cv::Mat& frame);  // upright; false at the end
+
   cv::VideoCapture capture_;
   cv::Mat first_;  // read to learn the size
   cv::Size size_;

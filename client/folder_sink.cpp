@@ -1,9 +1,9 @@
 #include <cstdio>
-#include <fstream>
 #include <stdexcept>
 #include <system_error>
 
 #include "client/frame_sink.h"
+#include "common/whole_file.h"
 
 namespace amalgam::client {
 namespace {
@@ -22,11 +22,7 @@ class FolderSink : public FrameSink {
     char name[40];
     std::snprintf(name, sizeof name, "frame-%06llu.jpg", static_cast<unsigned long long>(frame_id));
     const std::filesystem::path file = folder_ / name;
-    std::ofstream out(file, std::ios::binary | std::ios::trunc);
-    out.write(reinterpret_cast<const char*>(jpeg.data()),
-              static_cast<std::streamsize>(jpeg.size()));
-    out.close();
-    if (!out) throw std::runtime_error("--output: " + file.string() + " cannot be written");
+    common::write_whole_file(file, {reinterpret_cast<const char*>(jpeg.data()), jpeg.size()});
   }
 
  private:

@@ -16,6 +16,12 @@ namespace {
 std::vector<std::filesystem::path> matching_files(const std::vector<std::string>& patterns) {
   std::vector<std::filesystem::path> files;
   for (const std::string& pattern : patterns) {
+    // A name with brackets is a name first.
+    std::error_code error;
+    if (std::filesystem::exists(pattern, error)) {
+      files.emplace_back(pattern);
+      continue;
+    }
     glob_t matches{};
     const int result = glob(pattern.c_str(), GLOB_TILDE, nullptr, &matches);
     for (std::size_t i = 0; result == 0 && i < matches.gl_pathc; ++i) {
@@ -46,6 +52,12 @@ cv::Mat decode(const std::filesystem::path& file, const Bytes& bytes) {
 ImagesSource::ImagesSource(const ImagesOptions& options)
     : options_(options), files_(matching_files(options.patterns)), size_(options.size) {
   if (files_.empty()) throw std::runtime_error("no images");
+  // A missing one is said now, and not when the server waits for it.
+  for (const std::filesystem::path& file : files_) {
+    if (!std::filesystem::is_regular_file(file) || !std::ifstream(file)) {
+      throw std::runtime_error(file.string() + " cannot be read");
+    }
+  }
   if (size_.empty()) size_ = decode(files_[0], read_file(files_[0])).size();
 }
 

@@ -22,10 +22,9 @@ std::optional<std::span<const unsigned char>> baseline_header(
   if (bytes.size() < 4 || bytes[0] != kMarkerPrefix || bytes[1] != kStartOfImage) return {};
   std::size_t at = 2;
   while (at + 4 <= bytes.size()) {
-    if (bytes[at] != kMarkerPrefix) return {};
     const unsigned char marker = bytes[at + 1];
-    if (marker == kMarkerPrefix) {  // a fill byte
-      ++at;
+    if (bytes[at] != kMarkerPrefix || marker == kMarkerPrefix || marker == 0) {
+      ++at;  // a fill byte, or a stray one, which decoders skip
       continue;
     }
     const std::size_t length = static_cast<std::size_t>(bytes[at + 2]) << 8 | bytes[at + 3];

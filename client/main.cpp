@@ -4,8 +4,6 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <exception>
-#include <fstream>
 #include <memory>
 #include <opencv2/core/utils/logger.hpp>
 #include <stdexcept>
@@ -19,6 +17,7 @@
 #include "client/summary.h"
 #include "client/synthetic_source.h"
 #include "common/log.h"
+#include "common/run_program.h"
 #include "common/token_file.h"
 #include "protocol/framing.h"
 #include "protocol/limits.h"
@@ -105,7 +104,7 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
   using namespace amalgam::client;
-  try {
+  return amalgam::common::run_program("amalgam-client", [&] {
     // Complaints of video backends that were merely tried would hide the one line that matters.
     cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
     int exit_code = EXIT_FAILURE;
@@ -115,10 +114,5 @@ int main(int argc, char** argv) {
     std::signal(SIGINT, request_stop);
     std::signal(SIGTERM, request_stop);
     return run(*options);
-  } catch (const std::exception& error) {
-    std::string what = error.what();
-    what = what.substr(0, what.find('\n'));  // OpenCV's have several lines
-    std::fprintf(stderr, "amalgam-client: %s\n", what.c_str());
-    return EXIT_FAILURE;
-  }
+  });
 }

@@ -64,17 +64,33 @@ MarkerBoard make_grid_board(int columns, int rows, double marker_length, double 
   return board;
 }
 
-MarkerBoard make_charuco_board(int columns, int rows, double square_length, double marker_length,
-                               int first_id) {
-  MarkerBoard board;
+namespace {
+
+std::vector<BoardMarker> charuco_layout(int columns, int rows, double square_length,
+                                        double marker_length, int first_id,
+                                        bool top_left_is_black) {
+  std::vector<BoardMarker> markers;
   int id = first_id;
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column) {
-      const bool is_black = (row + column) % 2 == 0;
+      const bool is_black = ((row + column) % 2 == 0) == top_left_is_black;
       if (is_black) continue;
-      board.markers.push_back(
+      markers.push_back(
           in_cell(id++, marker_length, square_length, {column, row}, {columns, rows}));
     }
+  }
+  return markers;
+}
+
+}  // namespace
+
+MarkerBoard make_charuco_board(int columns, int rows, double square_length, double marker_length,
+                               int first_id) {
+  MarkerBoard board;
+  board.markers = charuco_layout(columns, rows, square_length, marker_length, first_id, true);
+  if (rows % 2 == 0) {
+    board.older_markers =
+        charuco_layout(columns, rows, square_length, marker_length, first_id, false);
   }
   return board;
 }
@@ -90,14 +106,16 @@ glm::dmat4 frame_of(const BoardMarker& marker) {
 }
 
 MarkerBoard placed_on(const MarkerBoard& board, int world_marker) {
-  const BoardMarker* world = board.find(world_marker);
-  if (world == nullptr) return board;
-  const glm::dmat4 world_from_board = common::rigid_inverse(frame_of(*world));
-  MarkerBoard placed = board;
-  for (BoardMarker& marker : placed.markers) {
-    for (glm::dvec3& corner : marker.corners) corner = moved(world_from_board, corner);
-  }
-  return placed;
+  const auto placed = [&](std::vector<BoardMarker> markers) {
+    const auto world = std::ranges::find(markers, world_marker, &BoardMarker::id);
+    if (world == markers.end()) return markers;
+    const glm::dmat4 world_from_board = common::rigid_inverse(frame_of(*world));
+    for (BoardMarker& marker : markers) {
+      for (glm::dvec3& corner : marker.corners) corner = moved(world_from_board, corner);
+    }
+    return markers;
+  };
+  return {placed(board.markers), placed(board.older_markers)};
 }
 
 std::string describe_defect(const MarkerBoard& board) {

@@ -20,6 +20,10 @@ struct BoardMarker {
 
 struct MarkerBoard {
   std::vector<BoardMarker> markers;
+  // The same ids as OpenCV laid them out before 4.6, if that differs (opencv_contrib issue 3291): a
+  // ChArUco board with an even number of rows had its bottom left square black. Which of the two
+  // was printed shows in the picture (BoardTracker).
+  std::vector<BoardMarker> older_markers{};
 
   const BoardMarker* find(int id) const;  // null if the board has no such marker
 };

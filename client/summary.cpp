@@ -34,6 +34,19 @@ nlohmann::ordered_json smoothing_json(const std::optional<SmoothingReport>& repo
             {"lag_ms", report->rotation.lag * kMilli}}}};
 }
 
+// As amalgam-render's --poses takes them.
+nlohmann::ordered_json poses_json(const std::vector<common::MarkerPose>& poses) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const common::MarkerPose& pose : poses) {
+    const glm::dquat& q = pose.rotation;
+    const glm::dvec3& t = pose.translation;
+    json.push_back({{"marker", pose.marker},
+                    {"rotation", {q.x, q.y, q.z, q.w}},
+                    {"translation", {t.x, t.y, t.z}}});
+  }
+  return json;
+}
+
 }  // namespace
 
 std::string summary_text(const ViewerSummary& summary) {
@@ -86,6 +99,7 @@ std::string summary_json(const ViewerSummary& summary) {
                                       {"board_images", summary.markers.board_poses},
                                       {"board_outliers", summary.markers.board_outliers}}},
                                     {"poses_held", summary.poses_held},
+                                    {"poses", poses_json(summary.last_poses)},
                                     {"smoothing", smoothing_json(summary.smoothing)},
                                     {"reconnects", summary.reconnects},
                                     {"server_errors", summary.server_errors},

@@ -86,6 +86,7 @@ void Viewer::send(const CapturedFrame& frame) {
       frame.true_poses ? *frame.true_poses : tracker_->track(frame.bgr);
   if (smoother_) poses = smoother_->smooth(std::move(poses), frame.captured_at);
   if (dead_band_) poses = dead_band_->hold(std::move(poses));
+  if (!poses.empty()) summary_.last_poses = poses;
   std::string bytes = protocol::encode(frame_message(id, frame, poses));
   if (const auto replaced = connection_.send(id, std::move(bytes))) in_flight_.skipped(*replaced);
 }

@@ -32,10 +32,11 @@ struct ViewerSummary {
   std::optional<SmoothingReport> smoothing;
   std::uint64_t poses_held = 0;  // sent again by the dead band
   std::uint64_t reconnects = 0;
-  std::uint64_t server_errors = 0;  // Errors that the session survived
-  std::string last_error;           // the last of these, or why the connection gave up
-  bool gave_up = false;             // the connection gave up before all frames were done
-  double seconds = 0.0;             // from the first capture to the end
+  std::uint64_t server_errors = 0;             // Errors that the session survived
+  std::string last_error;                      // the last of these, or why the connection gave up
+  std::vector<common::MarkerPose> last_poses;  // of the last frame in which there were any
+  bool gave_up = false;                        // the connection gave up before all frames were done
+  double seconds = 0.0;                        // from the first capture to the end
 };
 
 class Viewer {

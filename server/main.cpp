@@ -1,5 +1,4 @@
 // amalgam-server: loads a scene, serves clients until it is told to end, ends cleanly.
-#include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
@@ -8,6 +7,7 @@
 #include <thread>
 
 #include "common/log.h"
+#include "common/run_program.h"
 #include "frame/render_thread.h"
 #include "frame/rendering_threads.h"
 #include "net/server.h"
@@ -61,16 +61,12 @@ void serve(const ServerOptions& options) {
 }  // namespace amalgam
 
 int main(int argc, char** argv) {
-  // Whoever reads our output may go away; that is no reason to end.
-  std::signal(SIGPIPE, SIG_IGN);
-  try {
+  // Whoever reads our output may go away; that is no reason to end before the time.
+  return amalgam::common::run_program("amalgam-server", [&] {
     const std::optional<amalgam::ServerOptions> options = amalgam::parse_server_options(argc, argv);
     if (!options) return EXIT_SUCCESS;
     amalgam::common::set_log_level(options->log_level);
     amalgam::serve(*options);
     return EXIT_SUCCESS;
-  } catch (const std::exception& error) {
-    std::cerr << "amalgam-server: " << error.what() << '\n';
-    return EXIT_FAILURE;
-  }
+  });
 }

@@ -37,8 +37,10 @@ void add_renderer_options(CLI::App& app, frame::RendererSettings& settings) {
          "traced")
       ->check(CLI::IsMember({"map", "traced"}))
       ->default_str("map");
-  app.add_option(names::kMaxDepth, settings.trace.max_depth,
-                 "specular surfaces that a ray may meet")
+  app.add_option(
+         names::kMaxDepth, settings.trace.max_depth,
+         "specular surfaces that a ray may meet; one that is cut off takes the environment's "
+         "color, as by --importance-cutoff")
       ->check(CLI::Range(0, 10000))
       ->capture_default_str();
   app.add_option(names::kImportanceCutoff, settings.trace.importance_cutoff,

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Makes a scene of any glTF model: it stands on the table of marker 40.
 
-    wrap_gltf.py MODEL.gltf --output SCENE.gltf [--height 0.14] [--upside-down]
+    wrap_gltf.py MODEL --output SCENE.gltf [--height 0.14] [--upside-down]
 
 The model is scaled to the height (metres) and stands on y = 0, behind the marker. Its buffers and
 pictures and the environment map are copied beside the scene, which may refer to files in its own
@@ -16,6 +16,7 @@ from pathlib import Path
 from urllib.parse import unquote
 
 from generator.common import LIFT, copy_environment, new_scene
+from generator.gltf_reader import read_model
 
 PLACE = (0.0, -0.09)  # x and z of the model's middle, metres
 COLLECTIONS = {"buffers": "buffer", "bufferViews": "bufferView", "accessors": "accessors",
@@ -48,7 +49,11 @@ def bounds(document, roots):
         here = multiply(parent, matrix_of(node))
         waiting += [(child, here) for child in node.get("children", ())]
         for primitive in document["meshes"][node["mesh"]]["primitives"] if "mesh" in node else ():
+            if "POSITION" not in primitive["attributes"]:
+                continue
             accessor = document["accessors"][primitive["attributes"]["POSITION"]]
+            if "min" not in accessor or "max" not in accessor:
+                raise ValueError("a mesh has no bounds (min and max of its positions)")
             for corner in range(8):
                 p = [accessor["max" if corner >> i & 1 else "min"][i] for i in range(3)] + [1]
                 for i in range(3):
@@ -94,6 +99,8 @@ def append(document, table):
 
 
 def copy_files(document, source, target):
+    """Gives the names of the files."""
+    names = []
     for item in document.get("buffers", []) + document.get("images", []):
         uri = item.get("uri", "data:")
         if uri.startswith("data:"):
@@ -101,11 +108,13 @@ def copy_files(document, source, target):
         destination = target / unquote(uri)
         destination.parent.mkdir(parents=True, exist_ok=True)
         destination.write_bytes((source / unquote(uri)).read_bytes())
+        names.append(unquote(uri))
+    return names
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("input", type=Path, help="glTF file (.gltf, not .glb)")
+    parser.add_argument("input", type=Path, help="glTF file (.gltf or .glb)")
     parser.add_argument("--output", type=Path, required=True, help="glTF file to write")
     parser.add_argument("--height", type=float, default=0.14, help="metres (default 0.14)")
     parser.add_argument("--upside-down", action="store_true", help="turn the model over")
@@ -113,16 +122,25 @@ def main():
 
     folder = arguments.output.parent
     folder.mkdir(parents=True, exist_ok=True)
-    if arguments.input.suffix.lower() == ".glb":
-        sys.exit(f"{arguments.input}: binary glTF; export it as .gltf")
     try:
-        document = json.loads(arguments.input.read_text(encoding="utf-8"))
+        document, binary = read_model(arguments.input)
+        if not document.get("scenes"):
+            raise ValueError("has no scene")
         scene = document["scenes"][document.get("scene", 0)]
+        if not scene.get("nodes"):
+            raise ValueError("its scene has no nodes")
         copy_environment(folder)
         placed = stand(document, scene["nodes"], arguments.height, arguments.upside_down)
-        copy_files(document, arguments.input.parent, folder)
-    except (OSError, ValueError, LookupError) as error:
+        written = copy_files(document, arguments.input.parent, folder)
+        if binary is not None:
+            name = arguments.output.stem + ".bin"
+            (folder / name).write_bytes(binary)
+            document["buffers"][0]["uri"] = name
+            written.append(name)
+    except (OSError, ValueError) as error:
         sys.exit(f"{arguments.input}: {error}")
+    except (LookupError, TypeError) as error:
+        sys.exit(f"{arguments.input}: is damaged: there is no {error}")
 
     new_scene().write(folder / "table.gltf")
     table = json.loads((folder / "table.gltf").read_text(encoding="utf-8"))
@@ -130,7 +148,8 @@ def main():
     scene["nodes"] = [placed, *append(document, table)]
     scene["extras"] = table["scenes"][0]["extras"]
     arguments.output.write_text(json.dumps(document, indent=1) + "\n", encoding="utf-8")
-    print(f"{arguments.output}: {len(document.get('meshes', ()))} meshes on marker 40")
+    print(f"{arguments.output}: {len(document.get('meshes', ()))} meshes on marker 40; beside it "
+          + ", ".join([*dict.fromkeys(written), "environment.exr"]))
 
 
 if __name__ == "__main__":

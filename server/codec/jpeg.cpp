@@ -1,39 +1,59 @@
 #include "codec/jpeg.h"
 
-#include <turbojpeg.h>
-
-#include <memory>
 #include <string>
+
+#include "codec/libjpeg.h"
 
 namespace amalgam::codec {
 namespace {
 
-static_assert(sizeof(common::Rgb8) == 3, "turbojpeg reads and writes packed RGB");
+static_assert(sizeof(common::Rgb8) == 3, "libjpeg writes packed RGB");
 
-struct HandleCloser {
-  void operator()(void* handle) const { tjDestroy(handle); }
+// New for each picture: nothing of an earlier one can be left in it.
+class Decompressor {
+ public:
+  Decompressor() {
+    info_.err = errors_.manager();
+    errors_.guard("cannot make a JPEG decoder", [&] { jpeg_create_decompress(&info_); });
+  }
+  ~Decompressor() { jpeg_destroy_decompress(&info_); }
+  Decompressor(const Decompressor&) = delete;
+  Decompressor& operator=(const Decompressor&) = delete;
+
+  void decode(std::span<const std::byte> jpeg, common::ImageRgb8& image) {
+    bool fits = true;
+    errors_.guard("damaged JPEG", [&] {
+      jpeg_mem_src(&info_, reinterpret_cast<const unsigned char*>(jpeg.data()),
+                   static_cast<unsigned long>(jpeg.size()));
+      jpeg_read_header(&info_, TRUE);
+      info_.out_color_space = JCS_RGB;
+      info_.dct_method = JDCT_ISLOW;
+      jpeg_start_decompress(&info_);
+      fits = static_cast<int>(info_.output_width) == image.width() &&
+             static_cast<int>(info_.output_height) == image.height();
+      if (!fits) return;
+      while (info_.output_scanline < info_.output_height) {
+        auto* row =
+            reinterpret_cast<JSAMPROW>(&image.at(0, static_cast<int>(info_.output_scanline)));
+        jpeg_read_scanlines(&info_, &row, 1);
+      }
+      jpeg_finish_decompress(&info_);
+    });
+    if (!fits) throw JpegError("damaged JPEG: it has two sizes");
+  }
+
+ private:
+  LibjpegErrors errors_;
+  jpeg_decompress_struct info_{};
 };
-using Handle = std::unique_ptr<void, HandleCloser>;
-
-[[noreturn]] void fail(const char* what, const Handle& handle) {
-  throw JpegError(std::string(what) + ": " + tjGetErrorStr2(handle.get()));
-}
 
 }  // namespace
 
 common::ImageRgb8 decode_jpeg(std::span<const std::byte> jpeg) {
   const JpegHeader header = read_jpeg_header(jpeg);
-  // A new decoder and a zero-filled image each time: nothing of an earlier picture can be left in
-  // them.
-  const Handle decoder(tjInitDecompress());
-  if (!decoder) throw JpegError("cannot make a JPEG decoder");
+  // Zero-filled: no pixels of an earlier picture can be left in it.
   common::ImageRgb8 image(header.width, header.height);
-  const int status = tjDecompress2(
-      decoder.get(), reinterpret_cast<const unsigned char*>(jpeg.data()),
-      static_cast<unsigned long>(jpeg.size()), reinterpret_cast<unsigned char*>(image.data()),
-      header.width, 3 * header.width, header.height, TJPF_RGB,
-      TJFLAG_STOPONWARNING | TJFLAG_LIMITSCANS | TJFLAG_ACCURATEDCT);
-  if (status != 0) fail("damaged JPEG", decoder);
+  Decompressor().decode(jpeg, image);
   return image;
 }
 

@@ -1,8 +1,8 @@
-// Camera frames and composites as JPEG. libturbojpeg decodes and libjpeg (codec/libjpeg.h) encodes.
-// Both are the same library, but only libjpeg's interface gives restart markers.
+// Camera frames and composites as JPEG, by libjpeg's own interface (codec/libjpeg.h): turbojpeg's
+// gives no restart markers and does not tell one warning from another.
 //
 // Bytes come from strangers. So our own bounded parser checks the header before the library sees
-// anything, and a picture is either decoded without a single warning or refused.
+// anything, and a picture is either decoded whole or refused.
 #pragma once
 
 #include <cstddef>
@@ -39,8 +39,9 @@ constexpr int kMaxJpegPixels = 2048 * 2048;  // 4 Mpixel
 JpegHeader read_jpeg_header(std::span<const std::byte> jpeg);
 
 // Decodes to sRGB-encoded bytes; grey becomes equal channels. Throws JpegError as
-// read_jpeg_header() does, and at the library's first warning (truncated or damaged data). So no
-// broken picture is shown, and no pixels that an earlier picture left in memory.
+// read_jpeg_header() does, and at the library's first warning (truncated or damaged data) but for
+// one: a few stray bytes before a marker, which many webcams write. So no broken picture is shown,
+// and no pixels that an earlier picture left in memory.
 common::ImageRgb8 decode_jpeg(std::span<const std::byte> jpeg);
 
 // Quality 1 .. 100. Chroma is halved in both directions (4:2:0) below quality 95 and kept (4:4:4)

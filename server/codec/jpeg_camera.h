@@ -15,6 +15,7 @@ struct CameraJpeg {
   std::unique_ptr<CoefficientReader> reader;
   McuGrid grid;
   SegmentedJpeg segments;  // the whole picture
+  std::vector<std::byte> metadata;
 };
 
 }  // namespace amalgam::codec

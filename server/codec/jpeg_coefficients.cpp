@@ -2,6 +2,7 @@
 #include <cstdlib>
 
 #include "codec/jpeg_camera.h"
+#include "codec/jpeg_metadata.h"
 #include "codec/jpeg_patch.h"
 
 namespace amalgam::codec {
@@ -71,7 +72,7 @@ std::optional<JpegCoefficients> JpegCoefficients::read(std::span<const std::byte
   }
   SegmentedJpeg segments(write_coefficients(*reader, grid.segment));
   return JpegCoefficients(std::make_unique<CameraJpeg>(
-      CameraJpeg{header, std::move(reader), grid, std::move(segments)}));
+      CameraJpeg{header, std::move(reader), grid, std::move(segments), jpeg_metadata(jpeg)}));
 }
 
 const JpegHeader& JpegCoefficients::header() const {

@@ -5,7 +5,7 @@
 
 #include "codec/jpeg.h"
 
-// turbojpeg's own header call does not tell progressive or arithmetic coding, hence this walk over
+// libjpeg does not refuse progressive or arithmetic coding, hence this walk over
 // the markers of ITU-T T.81 (annex B).
 
 namespace amalgam::codec {
@@ -34,12 +34,15 @@ class ByteReader {
     position_ += static_cast<std::size_t>(count);
   }
 
-  // The code of the next marker; fill bytes (0xFF) before it are allowed.
+  // The code of the next marker. Fill bytes (0xFF) before it are allowed, and stray ones as libjpeg
+  // skips them (it counts and judges them).
   int marker() {
-    if (u8() != 0xFF) throw JpegError("JPEG has no marker where one must stand");
-    int code = u8();
-    while (code == 0xFF) code = u8();
-    return code;
+    while (true) {
+      while (u8() != 0xFF) continue;
+      int code = u8();
+      while (code == 0xFF) code = u8();
+      if (code != 0) return code;
+    }
   }
 
   // Moves past entropy-coded data, in which 0xFF is followed by 0 or is a restart marker.

@@ -86,12 +86,6 @@ std::vector<std::byte> write_coefficients(CoefficientReader& from, int interval)
     jpeg_copy_critical_parameters(&source, &info);
     info.restart_interval = static_cast<unsigned>(interval);
     jpeg_write_coefficients(&info, from.arrays());
-    for (auto marker = source.marker_list; marker != nullptr; marker = marker->next) {
-      constexpr char kIcc[] = "ICC_PROFILE";
-      if (marker->data_length > sizeof kIcc && std::memcmp(marker->data, kIcc, sizeof kIcc) == 0) {
-        jpeg_write_marker(&info, marker->marker, marker->data, marker->data_length);
-      }
-    }
     jpeg_finish_compress(&info);
   });
   return out.take();

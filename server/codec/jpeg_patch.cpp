@@ -8,6 +8,7 @@
 #include <string>
 
 #include "codec/jpeg_camera.h"
+#include "codec/jpeg_metadata.h"
 #include "common/log.h"
 
 // The camera's file was cut into segments of a few MCUs when it was read. Segments without a
@@ -148,7 +149,9 @@ std::optional<std::vector<std::byte>> patch_jpeg(JpegCoefficients coefficients,
       segments[static_cast<std::size_t>(jobs[i].segments[k])] = made[i]->segment(k);
     }
   }
-  return join_segments(camera.segments.head(), segments);
+  std::vector<std::byte> file = join_segments(camera.segments.head(), segments);
+  insert_metadata(file, camera.metadata);
+  return file;
 }
 
 }  // namespace amalgam::codec

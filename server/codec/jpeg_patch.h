@@ -73,11 +73,11 @@ constexpr int kPatchTile = 16;  // pixels a side
 // Empty if the camera's picture is grey and a touched MCU of the composite is colored.
 //
 // The result is baseline, one scan, with a restart marker after each 96 pixels or a little more
-// (about 1 % of the bytes), so that segments can be replaced without coding the rest again. An ICC
-// profile is kept and a JFIF header is written (it says YCbCr, as an Adobe marker would). EXIF,
-// comments and everything else are left out, as in encode_jpeg(). Huffman tables are the standard
-// ones: the file's own may lack codes that new coefficients need, and optimal ones need a second
-// pass over everything.
+// (about 1 % of the bytes), so that segments can be replaced without coding the rest again. The
+// camera's metadata (codec/jpeg_metadata.h) are kept and a JFIF header is written (it says YCbCr,
+// as an Adobe marker would); everything else is left out. Huffman tables are the standard ones: the
+// file's own may lack codes that new coefficients need, and optimal ones need a second pass over
+// everything.
 std::optional<std::vector<std::byte>> patch_jpeg(JpegCoefficients camera,
                                                  const common::ImageRgb8& composite,
                                                  std::span<const std::uint8_t> tiles);

@@ -7,8 +7,9 @@
 namespace amalgam::codec {
 namespace {
 
-constexpr int kColorProfile = JPEG_APP0 + 2;  // ICC profiles lie in APP2
-constexpr unsigned kWholeSegment = 0xFFFF;
+// Webcams pad their data before a marker with some bytes, and everybody shows the picture. More of
+// them mean that the data before were not understood.
+constexpr int kMaxStrayBytes = 64;
 
 // Doubles the buffer. Exceptions must not pass through libjpeg.
 bool doubled(std::vector<std::byte>& bytes) noexcept {
@@ -41,7 +42,10 @@ void LibjpegErrors::give_up(j_common_ptr info) {
 }
 
 void LibjpegErrors::judge(j_common_ptr info, int level) {
-  if (level < 0) give_up(info);  // a warning: the data are damaged
+  if (level >= 0) return;
+  const jpeg_error_mgr& error = *info->err;
+  if (error.msg_code == JWRN_EXTRANEOUS_DATA && error.msg_parm.i[0] <= kMaxStrayBytes) return;
+  give_up(info);  // a warning: the data are damaged
 }
 
 void LibjpegErrors::fail(const char* what) const {
@@ -55,7 +59,6 @@ CoefficientReader::CoefficientReader(std::span<const std::byte> jpeg) {
       jpeg_create_decompress(&info_);
       jpeg_mem_src(&info_, reinterpret_cast<const unsigned char*>(jpeg.data()),
                    static_cast<unsigned long>(jpeg.size()));
-      jpeg_save_markers(&info_, kColorProfile, kWholeSegment);
       jpeg_read_header(&info_, TRUE);
       arrays_ = jpeg_read_coefficients(&info_);
     });

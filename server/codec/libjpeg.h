@@ -20,7 +20,7 @@
 
 namespace amalgam::codec {
 
-// libjpeg's error handler. Warnings (damaged data) count as errors.
+// libjpeg's error handler. Warnings (damaged data) count as errors, but for stray bytes.
 class LibjpegErrors {
  public:
   LibjpegErrors();
@@ -55,7 +55,7 @@ class LibjpegErrors {
 class CoefficientReader {
  public:
   // Reads to the end. jpeg: has passed read_jpeg_header(). Throws JpegError, at the first warning
-  // too.
+  // too, as decode_jpeg() does.
   explicit CoefficientReader(std::span<const std::byte> jpeg);
   ~CoefficientReader();
   CoefficientReader(const CoefficientReader&) = delete;

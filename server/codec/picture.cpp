@@ -5,12 +5,14 @@
 #include <cstring>
 #include <memory>
 #include <string>
+#include <string_view>
+
+#include <webp/decode.h>
 
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
 #define STBI_ONLY_PNG
 #define STBI_ONLY_JPEG
-#define STBI_ONLY_HDR
 #define STBI_NO_STDIO
 #define STBI_MAX_DIMENSIONS 8192
 #include <stb/stb_image.h>
@@ -45,12 +47,7 @@ glm::ivec2 checked_size(const Input& input) {
   if (!stbi_info_from_memory(input.data, input.size, &width, &height, &channels)) {
     throw PictureError("not a readable picture: " + reason());
   }
-  if (width < 1 || height < 1 || width > kMaxPictureSide || height > kMaxPictureSide ||
-      width > kMaxPicturePixels / height) {
-    throw PictureError("picture size " + std::to_string(width) + "x" + std::to_string(height) +
-                       " is outside the limits (" + std::to_string(kMaxPictureSide) + " a side, " +
-                       std::to_string(kMaxPicturePixels >> 20) + " Mpixel)");
-  }
+  check_picture_size({width, height});
   return {width, height};
 }
 
@@ -76,21 +73,78 @@ bool has_png_end(std::span<const std::byte> bytes) {
   return false;
 }
 
+// A scan of a progressive JPEG takes some bytes and a pass over the whole picture. Encoders write
+// about ten. Embedded previews are counted too.
+bool has_too_many_scans(std::span<const std::byte> jpeg) {
+  constexpr std::string_view kStartOfScan = "\xFF\xDA";
+  constexpr int kMaxScans = 100;
+  const std::string_view text(reinterpret_cast<const char*>(jpeg.data()), jpeg.size());
+  int scans = 0;
+  for (std::size_t at = 0; (at = text.find(kStartOfScan, at)) != text.npos; at += 2) ++scans;
+  return scans > kMaxScans;
+}
+
+bool is_webp(std::span<const std::byte> bytes) {
+  constexpr std::array<unsigned char, 4> kRiff{'R', 'I', 'F', 'F'}, kWebp{'W', 'E', 'B', 'P'};
+  return bytes.size() >= 12 && begins_with(bytes, kRiff) && begins_with(bytes.subspan(8), kWebp);
+}
+
+glm::ivec2 webp_size(std::span<const std::byte> encoded) {
+  const Input input = input_of(encoded);
+  WebPBitstreamFeatures features;
+  if (WebPGetFeatures(input.data, static_cast<std::size_t>(input.size), &features) !=
+      VP8_STATUS_OK) {
+    throw PictureError("not a readable picture: damaged WebP");
+  }
+  if (features.has_animation) throw PictureError("animated WebP is not supported");
+  check_picture_size({features.width, features.height});
+  return {features.width, features.height};
+}
+
+common::ImageRgba8 decode_webp(std::span<const std::byte> encoded) {
+  const Input input = input_of(encoded);
+  const glm::ivec2 size = webp_size(encoded);
+  common::ImageRgba8 image(size.x, size.y);
+  auto* const pixels = reinterpret_cast<std::uint8_t*>(image.data());
+  if (!WebPDecodeRGBAInto(input.data, static_cast<std::size_t>(input.size), pixels,
+                          image.pixels().size_bytes(), 4 * size.x)) {
+    throw PictureError("damaged picture: WebP");
+  }
+  return image;
+}
+
 }  // namespace
 
+void check_picture_size(const glm::ivec2& size) {
+  if (size.x < 1 || size.y < 1 || size.x > kMaxPictureSide || size.y > kMaxPictureSide ||
+      size.x > kMaxPicturePixels / size.y) {
+    throw PictureError("picture size " + std::to_string(size.x) + "x" + std::to_string(size.y) +
+                       " is outside the limits (" + std::to_string(kMaxPictureSide) + " a side, " +
+                       std::to_string(kMaxPicturePixels >> 20) + " Mpixel)");
+  }
+}
+
 bool is_picture(std::span<const std::byte> encoded) {
-  return begins_with(encoded, kPngSignature) || begins_with(encoded, kJpegSignature);
+  return begins_with(encoded, kPngSignature) || begins_with(encoded, kJpegSignature) ||
+         is_webp(encoded);
 }
 
 void check_picture(std::span<const std::byte> encoded) {
-  if (!is_picture(encoded)) throw PictureError("picture is neither PNG nor JPEG");
+  if (!is_picture(encoded)) throw PictureError("picture is neither PNG nor JPEG nor WebP");
+  if (is_webp(encoded)) {
+    webp_size(encoded);
+    return;
+  }
   checked_size(input_of(encoded));
   if (begins_with(encoded, kPngSignature) && !has_png_end(encoded))
     throw PictureError("PNG ends before its IEND chunk");
+  if (begins_with(encoded, kJpegSignature) && has_too_many_scans(encoded))
+    throw PictureError("JPEG has more than 100 scans");
 }
 
 common::ImageRgba8 decode_picture(std::span<const std::byte> encoded) {
   check_picture(encoded);
+  if (is_webp(encoded)) return decode_webp(encoded);
   const Input input = input_of(encoded);
   int width = 0, height = 0, channels = 0;
   const std::unique_ptr<stbi_uc, PixelCloser> pixels(
@@ -98,22 +152,6 @@ common::ImageRgba8 decode_picture(std::span<const std::byte> encoded) {
   if (!pixels) throw PictureError("damaged picture: " + reason());
   common::ImageRgba8 image(width, height);
   static_assert(sizeof(common::Rgba8) == 4);
-  std::memcpy(static_cast<void*>(image.data()), pixels.get(), image.pixels().size_bytes());
-  return image;
-}
-
-common::ImageRgb32f decode_radiance_hdr(std::span<const std::byte> encoded) {
-  const Input input = input_of(encoded);
-  if (!stbi_is_hdr_from_memory(input.data, input.size)) {
-    throw PictureError("not a Radiance picture");
-  }
-  checked_size(input);
-  int width = 0, height = 0, channels = 0;
-  const std::unique_ptr<float, PixelCloser> pixels(
-      stbi_loadf_from_memory(input.data, input.size, &width, &height, &channels, 3));
-  if (!pixels) throw PictureError("damaged picture: " + reason());
-  common::ImageRgb32f image(width, height);
-  static_assert(sizeof(glm::vec3) == 12);
   std::memcpy(static_cast<void*>(image.data()), pixels.get(), image.pixels().size_bytes());
   return image;
 }

@@ -114,8 +114,12 @@ FrameBuffers collect_buffers(const graph::FrameGraph& graph, const FramePasses& 
 void write_buffers(const FrameBuffers& buffers, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   for (const auto& [name, buffer] : buffers) {
-    std::visit([&](const auto& image) { codec::write_exr(folder / (name + ".exr"), image); },
-               buffer);
+    const bool is_averaged = name == "over" || name == "difference";
+    const std::string comments = is_averaged ? "average of each pixel's samples, after refinement"
+                                             : "first sample of each pixel, before refinement";
+    std::visit(
+        [&](const auto& image) { codec::write_exr(folder / (name + ".exr"), image, comments); },
+        buffer);
   }
 }
 

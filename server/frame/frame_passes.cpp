@@ -256,7 +256,8 @@ FramePasses add_frame_passes(graph::FrameGraph& graph, const SceneResources& res
       graph, {.composite = frame.composite,
               .coefficients = decoded.coefficients,
               .quality = wants_own_quality ? request.view.options.jpeg_quality
-                                           : request.settings.jpeg_quality});
+                                           : request.settings.jpeg_quality,
+              .camera = &request.input.image});
   return frame;
 }
 

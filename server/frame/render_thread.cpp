@@ -122,6 +122,7 @@ void RenderThread::run(std::stop_token stop, const std::string& scene_path,
   std::optional<FrameRenderer> renderer;
   try {
     renderer.emplace(scene::load_scene(scene_path), options.renderer);
+    for (const std::string& warning : renderer->scene().warnings) common::log_warn(warning);
     warm_up(*renderer);
     started.set_value(marker_set(renderer->scene()));
   } catch (...) {

@@ -96,6 +96,8 @@ struct Scene {
   std::vector<PunctualLight> punctual_lights;
   std::optional<Environment> environment;
   std::vector<std::string> notes;  // the loader's repairs and ignored elements, one line each
+  // What its author hardly wants (likely_mistakes.h), one line each; programs say it at start.
+  std::vector<std::string> warnings;
 };
 
 }  // namespace amalgam::scene

@@ -92,6 +92,7 @@ void print_json(std::ostream& out, const Inspection& inspection) {
                                     {"irradiance_rms", error.rms},
                                     {"irradiance_maximum", error.maximum}});
   }
+  json["warnings"] = scene.warnings;
   json["notes"] = scene.notes;
   json["left_out"] = Json::array();
   for (const scene::Absence& absence : describe_absences(scene_features(scene))) {

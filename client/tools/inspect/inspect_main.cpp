@@ -1,13 +1,13 @@
 // amalgam-inspect: the contents of a scene, as the renderer takes it.
 
 #include <CLI/CLI.hpp>
-#include <exception>
 #include <iostream>
 #include <optional>
 #include <string>
 
 #include "client/tools/inspect/inspect_report.h"
 #include "common/build_info.h"
+#include "common/run_program.h"
 #include "scene/gltf/loader.h"
 
 namespace {
@@ -65,12 +65,9 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_flag("--json", options.json, "print one JSON object");
   app.set_version_flag("--version", common::version_line("amalgam-inspect"));
-  CLI11_PARSE(app, argc, argv);
-  try {
+  return common::run_program("amalgam-inspect", [&] {
+    CLI11_PARSE(app, argc, argv);
     inspect(options);
-  } catch (const std::exception& error) {
-    std::cerr << "amalgam-inspect: " << error.what() << '\n';
-    return 1;
-  }
-  return 0;
+    return 0;
+  });
 }

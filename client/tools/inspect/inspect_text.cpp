@@ -120,6 +120,8 @@ void print_text(std::ostream& out, const Inspection& inspection) {
       << scene.world.marker_length << " m\n";
   print_nodes(out, scene);
   print_lights(out, inspection);
+  if (!scene.warnings.empty()) out << "warnings:\n";
+  for (const std::string& warning : scene.warnings) out << "  " << warning << '\n';
   out << "notes:" << (scene.notes.empty() ? " none\n" : "\n");
   for (const std::string& note : scene.notes) out << "  " << note << '\n';
   out << "left out in every frame:\n";

@@ -2,14 +2,15 @@
 #include <boost/asio/io_context.hpp>
 #include <chrono>
 #include <cstdlib>
-#include <exception>
 #include <iostream>
 #include <memory>
+#include <stdexcept>
 
 #include "client/tools/load/load_client.h"
 #include "client/tools/load/load_image.h"
 #include "client/tools/load/load_options.h"
 #include "client/tools/load/load_summary.h"
+#include "common/run_program.h"
 
 namespace amalgam::load {
 namespace {
@@ -32,15 +33,12 @@ LoadSummary run(const LoadOptions& options) {
 }  // namespace amalgam::load
 
 int main(int argc, char** argv) {
-  try {
+  return amalgam::common::run_program("amalgam-load", [&] {
     const auto options = amalgam::load::parse_load_options(argc, argv);
     if (!options) return EXIT_SUCCESS;
     const amalgam::load::LoadSummary summary = amalgam::load::run(*options);
     std::cout << to_json(summary) << std::endl;
     if (summary.welcomed > 0) return EXIT_SUCCESS;
-    std::cerr << "amalgam-load: no client was let in by " << to_string(options->server) << '\n';
-  } catch (const std::exception& error) {
-    std::cerr << "amalgam-load: " << error.what() << '\n';
-  }
-  return EXIT_FAILURE;
+    throw std::runtime_error("no client was let in by " + to_string(options->server));
+  });
 }

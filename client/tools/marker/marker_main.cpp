@@ -1,7 +1,5 @@
 // amalgam-marker: a page of markers to print.
 #include <CLI/CLI.hpp>
-#include <exception>
-#include <fstream>
 #include <iostream>
 #include <set>
 #include <string>
@@ -9,6 +7,8 @@
 
 #include "client/tools/marker/marker_sheet.h"
 #include "common/build_info.h"
+#include "common/run_program.h"
+#include "common/whole_file.h"
 #include "scene/gltf/loader.h"
 
 namespace {
@@ -42,9 +42,7 @@ void run(Options& options) {
       options.letter
           ? tools::lay_out_markers(options.dictionary, options.ids, options.length, 215.9, 279.4)
           : tools::lay_out_markers(options.dictionary, options.ids, options.length);
-  std::ofstream file(options.output, std::ios::binary);
-  file << tools::to_svg(sheet) << std::flush;
-  if (!file) throw std::runtime_error(options.output + ": cannot be written");
+  common::write_whole_file(options.output, tools::to_svg(sheet));
   std::cout << options.output << ": " << sheet.markers.size()
             << " markers. Open it in a browser and print it at 100 % (no \"fit to page\"), then "
                "measure a black square: "
@@ -68,14 +66,13 @@ int main(int argc, char** argv) {
   app.add_flag("--letter", options.letter, "US letter instead of A4");
   app.add_option("--output", options.output, "SVG file to write")->capture_default_str();
   app.set_version_flag("--version", common::version_line("amalgam-marker"));
-  try {
-    app.parse(argc, argv);
-    run(options);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error);
-  } catch (const std::exception& error) {
-    std::cerr << "amalgam-marker: " << error.what() << "\n";
-    return 1;
-  }
-  return 0;
+  return common::run_program("amalgam-marker", [&] {
+    try {
+      app.parse(argc, argv);
+      run(options);
+      return 0;
+    } catch (const CLI::ParseError& error) {
+      return app.exit(error);
+    }
+  });
 }

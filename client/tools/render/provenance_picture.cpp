@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "common/whole_file.h"
+
 namespace amalgam::tools {
 namespace {
 
@@ -65,9 +67,11 @@ void write_provenance_picture(const core::ProvenanceImage& provenance,
                               const std::filesystem::path& file) {
   cv::Mat picture;
   cv::vconcat(paint(provenance), legend(provenance.width()), picture);
-  if (!cv::imwrite(file.string(), picture)) {
-    throw std::runtime_error(file.string() + ": cannot be written");
-  }
+  common::write_whole_file(file, [&](const std::filesystem::path& path) {
+    if (!cv::imwrite(path.string(), picture)) {
+      throw std::runtime_error(file.string() + ": cannot be written");
+    }
+  });
 }
 
 }  // namespace amalgam::tools

@@ -2,7 +2,6 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -12,9 +11,12 @@
 #include "client/tools/render/render_report.h"
 #include "common/build_info.h"
 #include "common/log.h"
+#include "common/run_program.h"
+#include "common/whole_file.h"
 #include "frame/frame_renderer.h"
 #include "frame/rendering_threads.h"
 #include "scene/gltf/loader.h"
+#include "scene/likely_mistakes.h"
 #include "server/renderer_options.h"
 
 namespace {
@@ -44,18 +46,26 @@ void parse_size(const std::string& text, Options& options) {
 void add_options(CLI::App& app, Options& options) {
   app.add_option("--scene", options.scene, "glTF scene (.gltf, .glb)")->capture_default_str();
   app.add_option("--camera-image", options.input.camera_image, "picture that the camera took");
-  app.add_option("--calibration", options.input.calibration,
-                 "OpenCV camera file (YAML); without it 60 degrees wide and no distortion");
+  app.add_option(
+      "--calibration", options.input.calibration,
+      "camera file of OpenCV, ROS or Kalibr; without it 60 degrees wide and no distortion");
   app.add_option(
       "--poses", options.input.poses,
-      "JSON with camera_from_marker poses (metres); without it markers are looked for in "
+      "JSON file: {\"poses\": [{\"marker\": 40, \"rotation\": [x, y, z, w], \"translation\": [x, "
+      "y, "
+      "z]}, ...]}; camera_from_marker, metres, camera with +x right, +y up and -z forward as in "
+      "PROTOCOL.md, a unit quaternion; as --json prints them; without it markers are looked for in "
       "the image");
   app.add_option("--size", options.size, "WxH in pixels, without --camera-image: mid grey")
       ->default_str("640x480");
   app.add_option("--output", options.output, "picture to write the composite to: .png, or .jpg");
   tools::add_renderer_options(app, options.renderer);
-  app.add_option("--dump", options.dump,
-                 "folder to write every buffer to, as EXR, and where light came from as a picture");
+  app.add_option(
+      "--dump", options.dump,
+      "folder to write every buffer to, as EXR, and where light came from as a picture; "
+      "with several samples, over and difference are their averages after refinement, the "
+      "others the first sample of each pixel before it, (n - 1) / 2n of a pixel up and left "
+      "of the middle (the files' comments say which)");
   app.add_option("--graph", options.graph, "file to write the frame graph to, for Graphviz");
   app.add_option("--repeat", options.repeat, "render the frame so many times, for timing")
       ->check(CLI::Range(1, 100000))
@@ -76,20 +86,24 @@ void write_picture(const std::string& path, common::ImageRgb8 image) {
     throw std::runtime_error(path + ": pictures are written as .png or .jpg");
   }
   cv::imencode(extension, rgb, encoded);
-  std::ofstream file(path, std::ios::binary);
-  file.write(reinterpret_cast<const char*>(encoded.data()),
-             static_cast<std::streamsize>(encoded.size()));
-  if (!file) throw std::runtime_error(path + ": cannot be written");
+  common::write_whole_file(path, {reinterpret_cast<const char*>(encoded.data()), encoded.size()});
 }
 
 void run(const Options& options) {
   frame::RendererSettings settings = options.renderer;
   settings.reuse_still_frames = options.still;
   frame::FrameRenderer renderer(scene::load_scene(options.scene), settings);
+  for (const std::string& warning : renderer.scene().warnings) common::log_warn(warning);
   for (const std::string& note : renderer.scene().notes) common::log_debug(note);
   tools::RenderInput input = tools::load_render_input(options.input, renderer.scene());
   const std::string warning = tools::describe_missing_markers(input, renderer.scene());
   if (!warning.empty()) common::log_warn(warning);
+  for (const common::MarkerPose& pose : input.frame.poses) {
+    const glm::dvec3 camera = glm::inverse(pose.rotation) * -pose.translation;
+    for (const std::string& node : scene::nodes_around(renderer.scene(), pose.marker, camera)) {
+      common::log_warn("the camera is inside the model " + node);
+    }
+  }
   frame::ViewOptions view_options{.camera = input.camera};
   view_options.keep_pixels = true;
   frame::ViewState view(view_options);
@@ -113,11 +127,9 @@ void run(const Options& options) {
                                       std::filesystem::path(options.dump) / "provenance.png");
     }
   }
-  if (!options.graph.empty() && !(std::ofstream(options.graph) << renderer.last_graph())) {
-    throw std::runtime_error(options.graph + ": cannot be written");
-  }
+  if (!options.graph.empty()) common::write_whole_file(options.graph, renderer.last_graph());
   if (options.explain) tools::print_passes(options.json ? std::cerr : std::cout, frames.back());
-  if (options.json) tools::print_json(std::cout, frames);
+  if (options.json) tools::print_json(std::cout, frames, input.frame.poses);
 }
 
 }  // namespace
@@ -130,16 +142,15 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", [] {
     return common::version_line("amalgam-render") + "; " + frame::ray_tracer_version();
   });
-  try {
-    app.parse(argc, argv);
-    if (!options.size.empty()) parse_size(options.size, options);
-    frame::limit_llvmpipe_threads(options.renderer);
-    run(options);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error);
-  } catch (const std::exception& error) {
-    std::cerr << "amalgam-render: " << error.what() << "\n";
-    return 1;
-  }
-  return 0;
+  return common::run_program("amalgam-render", [&] {
+    try {
+      app.parse(argc, argv);
+      if (!options.size.empty()) parse_size(options.size, options);
+      frame::limit_llvmpipe_threads(options.renderer);
+      run(options);
+      return 0;
+    } catch (const CLI::ParseError& error) {
+      return app.exit(error);
+    }
+  });
 }

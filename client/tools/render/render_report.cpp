@@ -37,9 +37,23 @@ nlohmann::ordered_json quality_json(const frame::FrameQuality& quality) {
           {"bound", to_string(quality.bound)}};
 }
 
+// As --poses takes them.
+nlohmann::ordered_json poses_json(const std::vector<common::MarkerPose>& poses) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const common::MarkerPose& pose : poses) {
+    const glm::dquat& q = pose.rotation;
+    const glm::dvec3& t = pose.translation;
+    json.push_back({{"marker", pose.marker},
+                    {"rotation", {q.x, q.y, q.z, q.w}},
+                    {"translation", {t.x, t.y, t.z}}});
+  }
+  return json;
+}
+
 }  // namespace
 
-void print_json(std::ostream& out, const std::vector<frame::FrameOutput>& frames) {
+void print_json(std::ostream& out, const std::vector<frame::FrameOutput>& frames,
+                const std::vector<common::MarkerPose>& poses) {
   std::map<std::string, std::vector<double>> times;
   for (const frame::FrameOutput& frame : frames) {
     for (const core::StageTime& stage : frame.statistics.stages) {
@@ -75,6 +89,7 @@ void print_json(std::ostream& out, const std::vector<frame::FrameOutput>& frames
   if (last.quality) json["quality"] = quality_json(*last.quality);
   json["unchanged"] = frames.back().unchanged;
   json["frames"] = frames.size();
+  json["poses"] = poses_json(poses);
   out << json.dump(2) << "\n";
 }
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "codec/jpeg.h"
+#include "codec/jpeg_metadata.h"
 
 namespace amalgam::passes {
 
@@ -19,8 +20,14 @@ graph::Handle<EncodedImage> add_encode_pass(graph::FrameGraph& graph, const Enco
       patched =
           codec::patch_jpeg(access.take(in.coefficients), composite.pixels, composite.changed);
     }
-    access.set(out, EncodedImage{patched ? std::move(*patched)
-                                         : codec::encode_jpeg(composite.pixels, in.quality)});
+    if (patched) {
+      access.set(out, EncodedImage{std::move(*patched)});
+      return;
+    }
+    EncodedImage encoded{codec::encode_jpeg(composite.pixels, in.quality)};
+    const auto* camera = in.camera ? std::get_if<std::vector<std::byte>>(in.camera) : nullptr;
+    if (camera) codec::insert_metadata(encoded.jpeg, codec::jpeg_metadata(*camera));
+    access.set(out, std::move(encoded));
   });
   return out;
 }

@@ -20,6 +20,8 @@ struct EncodeInputs {
   // the camera's coefficients bit for bit, and the others take its quality.
   graph::Handle<CameraCoefficients> coefficients;
   int quality = 90;  // 1 to 100, if the whole composite is encoded
+  // Borrowed; may be null. Its metadata (EXIF, color profile) go into the composite.
+  const EncodedOrPixels* camera = nullptr;
 };
 
 graph::Handle<EncodedImage> add_encode_pass(graph::FrameGraph& graph, const EncodeInputs& in);

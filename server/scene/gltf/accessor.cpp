@@ -3,18 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <set>
 
 #include "scene/gltf/check/check_context.h"
 #include "scene/scene_error.h"
 
 namespace amalgam::scene {
 namespace {
-
-struct Layout {
-  const unsigned char* data = nullptr;
-  std::size_t stride = 0;  // bytes
-};
 
 const unsigned char* view_data(const tinygltf::Model& model, int view_index, std::size_t offset) {
   const tinygltf::BufferView& view = model.bufferViews[static_cast<std::size_t>(view_index)];
@@ -130,32 +124,57 @@ std::vector<glm::vec2> read_vec2(const tinygltf::Model& model, int index) {
   return values;
 }
 
-void check_accessor_data(const tinygltf::Model& model) {
-  std::set<int> repaired;
+namespace {
+
+enum class Use { Read, Repaired, None };
+
+void check_numbers(const tinygltf::Model& model, std::size_t index, Use use,
+                   std::vector<std::string>& notes) {
+  const tinygltf::Accessor& accessor = model.accessors[index];
+  const std::string where = "accessors[" + std::to_string(index) + "]: element ";
+  const auto& low = accessor.minValues;
+  const auto& high = accessor.maxValues;
+  bool is_noted = false;
+  for_each_number(accessor, model, [&](std::size_t element, std::size_t c, double value) {
+    if (!std::isfinite(value)) {
+      const std::string what = where + std::to_string(element) + " is not finite";
+      if (use == Use::Read) throw SceneError(what);
+      if (!is_noted) notes.push_back(what + " (not used)");
+      is_noted = true;
+    }
+    // Exporters print bounds in fewer digits than the values have.
+    const double slack = 1e-3 * std::abs(value) + 1e-3;
+    if (is_noted || accessor.normalized || c >= low.size() || c >= high.size()) return;
+    if (value < low[c] - slack || value > high[c] + slack) {
+      notes.push_back(where + std::to_string(element) + " is outside min and max");
+      is_noted = true;
+    }
+  });
+}
+
+Use use_of(const std::string& attribute) {
+  if (attribute == "NORMAL" || attribute == "TANGENT") return Use::Repaired;
+  const bool is_read =
+      attribute == "POSITION" || attribute == "COLOR_0" || attribute.starts_with("TEXCOORD_");
+  return is_read ? Use::Read : Use::None;
+}
+
+}  // namespace
+
+void check_accessor_data(const tinygltf::Model& model, std::vector<std::string>& notes) {
+  std::vector<Use> uses(model.accessors.size(), Use::None);
   for (const auto& mesh : model.meshes) {
     for (const auto& primitive : mesh.primitives) {
       for (const auto& [name, accessor] : primitive.attributes) {
-        if (name == "NORMAL" || name == "TANGENT") repaired.insert(accessor);
+        const auto index = static_cast<std::size_t>(accessor);
+        if (index < uses.size() && uses[index] != Use::Read) uses[index] = use_of(name);
       }
     }
   }
-  for (std::size_t i = 0; i < model.accessors.size(); ++i) {
-    const tinygltf::Accessor& accessor = model.accessors[i];
-    if (repaired.contains(static_cast<int>(i))) continue;
-    const auto fail = [&](std::size_t element, const char* why) {
-      throw SceneError("accessors[" + std::to_string(i) + "]: element " + std::to_string(element) +
-                       " " + why);
-    };
-    const auto& low = accessor.minValues;
-    const auto& high = accessor.maxValues;
-    for_each_number(accessor, model, [&](std::size_t element, std::size_t c, double value) {
-      if (!std::isfinite(value)) fail(element, "is not finite");
-      // Exporters print bounds in fewer digits than the values have.
-      const double slack = 1e-3 * std::abs(value) + 1e-3;
-      if (accessor.normalized || c >= low.size() || c >= high.size()) return;
-      if (value < low[c] - slack || value > high[c] + slack)
-        fail(element, "is outside min and max");
-    });
+  constexpr std::size_t kMaxNotes = 1000;
+  for (std::size_t i = 0; i < uses.size(); ++i) {
+    if (uses[i] == Use::Repaired || (uses[i] == Use::None && notes.size() > kMaxNotes)) continue;
+    check_numbers(model, i, uses[i], notes);
   }
 }
 

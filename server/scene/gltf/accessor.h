@@ -6,6 +6,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <string>
 #include <vector>
 
 #include "scene/gltf/model.h"
@@ -23,8 +24,9 @@ std::vector<glm::vec3> read_vec3(const tinygltf::Model& model, int accessor);
 std::vector<glm::vec4> read_vec4(const tinygltf::Model& model, int accessor);
 std::vector<glm::vec2> read_vec2(const tinygltf::Model& model, int accessor);
 
-// Throws for an accessor with non-finite values, or with values outside its stated bounds by more
-// than rounding. Skips normals and tangents, which are repaired later (numerics B21).
-void check_accessor_data(const tinygltf::Model& model);
+// Throws for positions, texture coordinates or colors that are not finite. Notes those outside the
+// stated bounds by more than rounding: the bounds are not used. Normals and tangents are repaired
+// later (numerics B21).
+void check_accessor_data(const tinygltf::Model& model, std::vector<std::string>& notes);
 
 }  // namespace amalgam::scene

@@ -1,5 +1,6 @@
 #include "scene/gltf/container.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 
@@ -23,36 +24,52 @@ std::string_view text_of(std::span<const std::byte> bytes) {
 
 }  // namespace
 
-GltfContainer open_gltf_container(std::span<const std::byte> file, bool must_be_glb) {
-  constexpr std::size_t kHeader = 12, kChunkHeader = 8;
+namespace {
+
+constexpr std::size_t kHeader = 12, kChunkHeader = 8;
+
+// A chunk whose length is no multiple of 4 should be padded; some writers do not, or do not count
+// the padding. Where the next chunk begins shows by its type.
+std::size_t next_chunk(std::span<const std::byte> file, std::size_t end,
+                       std::vector<std::string>& notes) {
+  const std::size_t padded = (end + 3) / 4 * 4;
+  if (padded == end) return end;
+  notes.emplace_back("GLB chunk length is not a multiple of 4");
+  const bool follows_at_once = file.size() >= end + kChunkHeader && u32(file, end + 4) == kBin;
+  return follows_at_once ? end : std::min(padded, file.size());
+}
+
+}  // namespace
+
+GltfContainer open_gltf_container(std::span<const std::byte> file, bool must_be_glb,
+                                  std::vector<std::string>& notes) {
   const bool has_magic = file.size() >= 4 && u32(file, 0) == kMagic;
-  if (!has_magic && !must_be_glb) return {text_of(file), std::nullopt, false, file};
+  if (!has_magic && !must_be_glb) return {text_of(file), std::nullopt};
   if (!has_magic) throw SceneError("GLB does not begin with 'glTF'");
   if (file.size() < kHeader) throw SceneError("GLB ends inside its header");
   if (u32(file, 4) != 2) {
     throw SceneError("GLB version is " + std::to_string(u32(file, 4)) + "; only 2 is known");
   }
   const std::size_t declared = u32(file, 8);
-  if (declared < kHeader || declared > file.size()) {
-    throw SceneError("GLB declares " + std::to_string(u32(file, 8)) + " bytes and has " +
-                     std::to_string(file.size()));
-  }
-
-  file = file.first(declared);  // bytes behind the end are nobody's
-
+  const std::string sizes =
+      "GLB declares " + std::to_string(declared) + " bytes and has " + std::to_string(file.size());
+  if (declared > file.size()) throw SceneError(sizes);
+  if (declared < file.size()) notes.push_back(sizes);
   GltfContainer container;
-  container.is_glb = true;
-  container.bytes = file;
   std::size_t at = kHeader;
   for (int chunk = 0; at < file.size(); ++chunk) {
-    if (file.size() - at < kChunkHeader) throw SceneError("GLB ends inside a chunk header");
+    // Behind the declared end only what the first two chunks need is read.
+    if (file.size() - at < kChunkHeader || (at >= declared && chunk >= 2)) {
+      notes.push_back("GLB has " + std::to_string(file.size() - at) +
+                      " bytes behind its last chunk");
+      break;
+    }
     const std::size_t length = u32(file, at);
     const std::uint32_t type = u32(file, at + 4);
     at += kChunkHeader;
     if (length > file.size() - at) throw SceneError("GLB ends inside a chunk");
-    if (length % 4 != 0) throw SceneError("GLB chunk length is not a multiple of 4");
     const auto data = file.subspan(at, length);
-    at += length;
+    at = next_chunk(file, at + length, notes);
 
     if ((chunk == 0) != (type == kJson)) {
       throw SceneError(chunk == 0 ? "GLB's first chunk is not JSON" : "GLB has two JSON chunks");

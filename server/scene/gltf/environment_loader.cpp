@@ -5,6 +5,7 @@
 
 #include "codec/exr.h"
 #include "codec/picture.h"
+#include "codec/radiance_hdr.h"
 #include "scene/gltf/sanitize.h"
 #include "scene/gltf/scene_folder.h"
 #include "scene/light/tone_map.h"
@@ -20,6 +21,14 @@ std::string lower_extension(const std::filesystem::path& path) {
   return extension;
 }
 
+// Light probes come in other shapes too (mirror balls, crosses), and no file says so.
+void note_shape(const Environment& environment, std::vector<std::string>& notes) {
+  const int width = environment.radiance.width(), height = environment.radiance.height();
+  if (std::abs(width - 2 * height) <= 1) return;
+  notes.push_back("environment: " + std::to_string(width) + "x" + std::to_string(height) +
+                  " is not twice as wide as high; read as latitude-longitude all the same");
+}
+
 Environment load_unnamed(const std::filesystem::path& path, std::vector<std::string>& notes) {
   constexpr std::size_t kMaxBytes = std::size_t{256} << 20;
   const std::string extension = lower_extension(path);
@@ -28,7 +37,7 @@ Environment load_unnamed(const std::filesystem::path& path, std::vector<std::str
   }
   Environment environment;
   if (extension == ".exr") {
-    environment.radiance = codec::read_exr(path);
+    environment.radiance = codec::read_exr(path, &notes);
   } else if (extension == ".hdr") {
     environment.radiance = codec::decode_radiance_hdr(read_file(path, kMaxBytes));
   } else {
@@ -43,7 +52,9 @@ Environment load_unnamed(const std::filesystem::path& path, std::vector<std::str
 
 Environment load_environment(const std::filesystem::path& path, std::vector<std::string>& notes) {
   try {
-    return load_unnamed(path, notes);
+    Environment environment = load_unnamed(path, notes);
+    note_shape(environment, notes);
+    return environment;
   } catch (const codec::PictureError& caught) {
     throw SceneError("'" + path.filename().string() + "': " + caught.what());
   } catch (const codec::ExrError& caught) {

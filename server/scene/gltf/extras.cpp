@@ -1,5 +1,10 @@
 #include "scene/gltf/extras.h"
 
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string_view>
+
 namespace amalgam::scene {
 namespace {
 
@@ -70,6 +75,56 @@ SceneExtras read_scene_extras(const JsonCursor& scene) {
     }
   }
   return read;
+}
+
+namespace {
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+bool looks_like_ours(const std::string& name) {
+  constexpr std::array<std::string_view, 6> kMembers{"role",       "marker",        "world_marker",
+                                                     "dictionary", "marker_length", "environment"};
+  const std::string small = lower(name);
+  return name != "amalgam" &&
+         (small.starts_with("amalgam") ||
+          std::find(kMembers.begin(), kMembers.end(), small) != kMembers.end());
+}
+
+}  // namespace
+
+std::vector<std::string> doubtful_extras(const JsonCursor& root) {
+  std::vector<std::string> doubts;
+  bool any = false;
+  for (const char* collection : {"scenes", "nodes", "meshes", "materials"}) {
+    const auto elements = root.find(collection);
+    if (!elements) continue;
+    const std::string_view kind = collection;
+    const bool may_have_ours = kind == "scenes" || kind == "nodes";
+    for (const JsonCursor& element : elements->items()) {
+      const auto extras = object_member(element, "extras");
+      if (!extras) continue;
+      for (const auto& [name, at] : extras->members()) {
+        const bool is_ours = name == "amalgam" || name == "is_shadow_catcher";
+        if (is_ours && may_have_ours) any = true;
+        if (looks_like_ours(name)) {
+          doubts.push_back(at.path() +
+                           ": is not read; \"extras\": {\"amalgam\": {...}} holds what is ours");
+        } else if (is_ours && !may_have_ours) {
+          doubts.push_back(at.path() + ": is not read here, only at nodes and scenes");
+        }
+      }
+    }
+  }
+  if (!any) {
+    doubts.emplace_back(
+        "no \"extras\": {\"amalgam\": ...} in the file: all of it is virtual, on marker 0 of "
+        "DICT_6X6_250 with 0.05 m");
+  }
+  return doubts;
 }
 
 }  // namespace amalgam::scene

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "scene/gltf/check/json_value.h"
 #include "scene/scene.h"
@@ -27,5 +28,9 @@ struct SceneExtras {
 // for a wrong or unknown member of "amalgam".
 NodeExtras read_node_extras(const JsonCursor& node);
 SceneExtras read_scene_extras(const JsonCursor& scene);
+
+// Extras that look like ours and are not read, one line each: flat ("amalgam_role", "role") or
+// wrongly spelt ("Amalgam"). Or one line if nothing in the file has extras of ours at all.
+std::vector<std::string> doubtful_extras(const JsonCursor& root);
 
 }  // namespace amalgam::scene

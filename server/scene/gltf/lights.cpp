@@ -1,5 +1,6 @@
 #include "scene/gltf/lights.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -14,54 +15,72 @@ std::optional<JsonCursor> extension_of(const JsonCursor& holder) {
   return extensions ? extensions->find(kExtension) : std::nullopt;
 }
 
-void read_cone(const JsonCursor& at, PunctualLight& light) {
-  constexpr double kHalfPi = std::numbers::pi / 2.0;
-  const auto spot = at.get("spot");
-  const auto inner = spot.find("innerConeAngle"), outer = spot.find("outerConeAngle");
-  const double outer_angle = outer ? outer->number(0.0, kHalfPi + 1e-6) : std::numbers::pi / 4.0;
-  const double inner_angle = inner ? inner->number(0.0, kHalfPi) : 0.0;
-  if (!(inner_angle < outer_angle)) spot.fail("innerConeAngle is not below outerConeAngle");
-  light.cos_inner = static_cast<float>(std::cos(inner_angle));
-  light.cos_outer = static_cast<float>(std::cos(outer_angle));
-}
+class LightReader {
+ public:
+  explicit LightReader(std::vector<std::string>* notes) : notes_(notes) {}
 
-PunctualLight read_light(const JsonCursor& at) {
-  PunctualLight light;
-  const JsonCursor type = at.get("type");
-  if (type.string() == "directional") {
-    light.kind = PunctualLight::Kind::Directional;
-  } else if (type.string() == "point") {
-    light.kind = PunctualLight::Kind::Point;
-  } else if (type.string() == "spot") {
-    light.kind = PunctualLight::Kind::Spot;
-    read_cone(at, light);
-  } else {
-    type.fail("'" + type.string() + "' is none of directional, point, spot");
+  PunctualLight read(const JsonCursor& at) const {
+    PunctualLight light;
+    const JsonCursor type = at.get("type");
+    if (type.string() == "directional") {
+      light.kind = PunctualLight::Kind::Directional;
+    } else if (type.string() == "point") {
+      light.kind = PunctualLight::Kind::Point;
+    } else if (type.string() == "spot") {
+      light.kind = PunctualLight::Kind::Spot;
+      read_cone(at, light);
+    } else {
+      type.fail("'" + type.string() + "' is none of directional, point, spot");
+    }
+    const auto intensity = at.find("intensity"), color = at.find("color");
+    const double strength = intensity ? intensity->number(0.0, kAnything) : 1.0;
+    const auto rgb = color ? color->numbers(3) : std::vector<double>(3, 1.0);
+    for (int i = 0; i < 3; ++i) {
+      const double component = rgb[static_cast<std::size_t>(i)];
+      if (!(component >= 0.0)) color->fail("is negative");
+      light.intensity[i] = static_cast<float>(component * strength);
+    }
+    if (const auto range = at.find("range")) {
+      light.range = static_cast<float>(range->number(0.0, kAnything));
+      if (light.range == 0.0f) note(*range, "is 0, read as unlimited");
+    }
+    return light;
   }
-  const auto intensity = at.find("intensity"), color = at.find("color"), range = at.find("range");
-  const double strength = intensity ? intensity->number(0.0, kAnything) : 1.0;
-  const auto rgb = color ? color->numbers(3) : std::vector<double>(3, 1.0);
-  for (int i = 0; i < 3; ++i) {
-    const double component = rgb[static_cast<std::size_t>(i)];
-    if (!(component >= 0.0)) color->fail("is negative");
-    light.intensity[i] = static_cast<float>(component * strength);
+
+  void note(const JsonCursor& at, const std::string& what) const {
+    if (notes_) notes_->push_back(at.path() + ": " + what);
   }
-  if (range) {
-    light.range = static_cast<float>(range->number(0.0, kAnything));
-    if (!(light.range > 0.0f)) range->fail("is not above 0");
+
+ private:
+  // Equal angles are a hard edge: Blender's spot with a blend of 0.
+  void read_cone(const JsonCursor& at, PunctualLight& light) const {
+    constexpr double kHalfPi = std::numbers::pi / 2.0, kRounding = 1e-3;
+    const auto spot = at.find("spot");
+    if (!spot) note(at, "is a spot light without 'spot', read with its default angles");
+    const auto inner = spot ? spot->find("innerConeAngle") : std::nullopt;
+    const auto outer = spot ? spot->find("outerConeAngle") : std::nullopt;
+    const double outer_angle =
+        outer ? outer->number(0.0, kHalfPi + kRounding) : std::numbers::pi / 4.0;
+    const double inner_angle = inner ? inner->number(0.0, kHalfPi + kRounding) : 0.0;
+    if (inner_angle >= outer_angle)
+      note(*spot, "innerConeAngle is not below outerConeAngle, its cone has a hard edge");
+    light.cos_inner = static_cast<float>(std::cos(std::min(inner_angle, outer_angle)));
+    light.cos_outer = static_cast<float>(std::cos(outer_angle));
   }
-  return light;
-}
+
+  std::vector<std::string>* notes_;
+};
 
 }  // namespace
 
-std::vector<PunctualLight> read_lights(const JsonCursor& root) {
+std::vector<PunctualLight> read_lights(const JsonCursor& root, std::vector<std::string>* notes) {
   std::vector<PunctualLight> lights;
   const auto extension = extension_of(root);
   if (!extension) return lights;
-  for (const JsonCursor& at : extension->get("lights").filled_items()) {
-    lights.push_back(read_light(at));
-  }
+  const LightReader reader(notes);
+  const JsonCursor list = extension->get("lights");
+  for (const JsonCursor& at : list.items()) lights.push_back(reader.read(at));
+  if (lights.empty()) reader.note(list, "is empty");
   return lights;
 }
 

@@ -4,6 +4,7 @@
 #include <exception>
 #include <map>
 
+#include "scene/glass_winding.h"
 #include "scene/gltf/accessor.h"
 #include "scene/gltf/environment_loader.h"
 #include "scene/gltf/extras.h"
@@ -13,6 +14,7 @@
 #include "scene/gltf/model.h"
 #include "scene/gltf/scene_folder.h"
 #include "scene/gltf/transform.h"
+#include "scene/likely_mistakes.h"
 
 namespace amalgam::scene {
 namespace {
@@ -29,7 +31,7 @@ class SceneBuilder {
   }
 
   void build() {
-    check_accessor_data(gltf_.model);
+    check_accessor_data(gltf_.model, scene_.notes);
     ResolvedMaterials materials = resolve_materials(gltf_, scene_.textures, scene_.notes);
     // Every mesh is read, drawn or not: a file with a broken one is a broken file.
     // Primitives may share accessors, so that a small file can ask for any number of vertices.
@@ -102,6 +104,11 @@ class SceneBuilder {
     const tinygltf::Node& node = gltf_.model.nodes[index];
     const std::string name = node.name.empty() ? nodes_[index].path() : node.name;
     if (const auto light = node_light(nodes_[index], lights_.size())) {
+      if (is_collapsed(visit.anchor_from_parent)) {
+        scene_.notes.push_back(nodes_[index].path() +
+                               ": is scaled to nothing, its light is left out");
+        return;
+      }
       PunctualLight placed = lights_[*light];
       placed.node = name;
       placed.anchor_from_light = visit.anchor_from_parent;
@@ -111,6 +118,10 @@ class SceneBuilder {
     if (node.mesh < 0) return;
     const Parts& parts = parts_of(static_cast<std::size_t>(node.mesh));
     if (parts.empty()) return;
+    if (is_collapsed(visit.anchor_from_parent)) {
+      scene_.notes.push_back(nodes_[index].path() + ": is scaled to nothing, not drawn");
+      return;
+    }
     check_transform_usable(visit.anchor_from_parent, nodes_[index].path());
     if (node.skin >= 0)
       scene_.notes.push_back(nodes_[index].path() + ": skin ignored, drawn as modelled");
@@ -159,7 +170,7 @@ class SceneBuilder {
 
 SceneExtras extras_of_default_scene(const GltfModel& gltf) {
   const auto scenes = JsonCursor(gltf.document).find("scenes");
-  if (!scenes) return {};
+  if (!scenes || scenes->items().empty()) return {};
   return read_scene_extras(
       scenes->items()[static_cast<std::size_t>(std::max(gltf.model.defaultScene, 0))]);
 }
@@ -177,6 +188,12 @@ Scene load_unnamed(const std::filesystem::path& path, const LoadOptions& options
     scene.environment =
         load_environment(SceneFolder(path).resolve(*extras.environment), scene.notes);
   }
+  turn_glass_outward(scene);
+  const auto add = [&](std::vector<std::string> warnings) {
+    scene.warnings.insert(scene.warnings.end(), warnings.begin(), warnings.end());
+  };
+  add(doubtful_extras(JsonCursor(gltf.document)));
+  add(likely_mistakes(scene));
   return scene;
 }
 

@@ -47,20 +47,23 @@ void resolve_dielectric(const JsonCursor& extensions, Material& material) {
   const auto volume = extensions.find("KHR_materials_volume");
   material.thin = !(number_or(volume, "thicknessFactor", 0.0) > 0.0);
   const auto distance = volume ? volume->find("attenuationDistance") : std::nullopt;
-  if (material.thin || !distance) return;
+  if (material.thin || !distance || distance->number() == 0.0) return;
   const auto color = volume->find("attenuationColor");
   material.absorption =
       absorption_of(color ? color->numbers(3) : std::vector<double>(3, 1.0), distance->number());
 }
 
-void note_unused(const tinygltf::Material& from, const JsonCursor* at,
+void note_unused(const tinygltf::Material& from, const JsonCursor* at, MaterialKind kind,
                  std::vector<std::string>& notes, const std::string& name) {
   const auto note = [&](const char* what) { notes.push_back("material " + name + ": " + what); };
-  if (from.alphaMode == "BLEND") note("alpha blending is not supported, drawn opaque");
+  if (from.alphaMode == "BLEND") {
+    note(kind == MaterialKind::Dielectric ? "alpha blending ignored, drawn as glass"
+                                          : "alpha blending is not supported, drawn opaque");
+  }
   if (from.occlusionTexture.index >= 0) note("occlusion texture ignored");
   const auto extensions = at ? at->find("extensions") : std::nullopt;
   if (!extensions) return;
-  constexpr std::array<std::string_view, 8> kUsed{"KHR_materials_transmission", "KHR_materials_ior",
+  constexpr std::array<std::string_view, 4> kUsed{"KHR_materials_transmission", "KHR_materials_ior",
                                                   "KHR_materials_volume",
                                                   "KHR_materials_emissive_strength"};
   for (const auto& [extension, content] : extensions->members()) {
@@ -80,8 +83,10 @@ Material resolve_material(const tinygltf::Material& from, const JsonCursor* at) 
   const auto& factor = pbr.baseColorFactor;
   material.base_color =
       glm::vec4(vec3_or(factor, 1.0f), factor.size() < 4 ? 1.0f : static_cast<float>(factor[3]));
-  material.metallic = static_cast<float>(pbr.metallicFactor);
-  material.roughness = static_cast<float>(pbr.roughnessFactor);
+  // The check lets pass what is a hair outside.
+  material.base_color = glm::clamp(material.base_color, 0.0f, 1.0f);
+  material.metallic = std::clamp(static_cast<float>(pbr.metallicFactor), 0.0f, 1.0f);
+  material.roughness = std::clamp(static_cast<float>(pbr.roughnessFactor), 0.0f, 1.0f);
   material.double_sided = from.doubleSided;
   if (from.alphaMode == "MASK") material.alpha_cutoff = static_cast<float>(from.alphaCutoff);
 
@@ -91,12 +96,13 @@ Material resolve_material(const tinygltf::Material& from, const JsonCursor* at) 
   };
   const double strength =
       number_or(extension("KHR_materials_emissive_strength"), "emissiveStrength", 1.0);
-  material.emission = vec3_or(from.emissiveFactor, 0.0f) * static_cast<float>(strength);
+  material.emission =
+      glm::max(vec3_or(from.emissiveFactor, 0.0f), 0.0f) * static_cast<float>(strength);
 
   const double transmission =
       number_or(extension("KHR_materials_transmission"), "transmissionFactor", 0.0);
   if (transmission >= kTransmissive) {
-    material.transmission = static_cast<float>(transmission);
+    material.transmission = std::min(static_cast<float>(transmission), 1.0f);
     resolve_dielectric(*extensions, material);
   } else if (pbr.metallicFactor >= kMetallic && material.roughness <= kSmoothRoughness) {
     material.kind = MaterialKind::Mirror;
@@ -204,7 +210,7 @@ ResolvedMaterials resolve_materials(const GltfModel& gltf, std::vector<Texture>&
     const tinygltf::Material& from = gltf.model.materials[i];
     Material material = resolve_material(from, &cursors[i]);
     if (material.name.empty()) material.name = "materials[" + std::to_string(i) + "]";
-    note_unused(from, &cursors[i], notes, material.name);
+    note_unused(from, &cursors[i], material.kind, notes, material.name);
     TextureAssigner(loader, material, resolved.texture_uses.emplace_back(), notes).assign_all(from);
     resolved.materials.push_back(std::move(material));
   }

@@ -138,7 +138,6 @@ std::vector<ReadPrimitive> read_primitives(const GltfModel& gltf, std::size_t me
     // Tangents say nothing where the file leaves normals to the reader (glTF 2.0, 3.7.2.1).
     if (attribute("TANGENT") >= 0 && material.normal_texture && !out.mesh.normals.empty())
       out.mesh.tangents = read_vec4(model, attribute("TANGENT"));
-    if (!primitive.targets.empty()) note("morph targets ignored");
 
     const MeshRepairs repairs = repair_mesh(out.mesh);
     if (repairs.any()) note(repairs.describe());

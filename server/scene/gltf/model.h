@@ -13,8 +13,9 @@
 namespace amalgam::scene {
 
 struct GltfModel {
-  tinygltf::Model model;  // Image::image holds the encoded bytes of the image's file (as_is)
-  JsonValue document;     // the same file's JSON, for extras and extensions
+  // Its buffers are decompressed. Image::image holds a picture's encoded bytes.
+  tinygltf::Model model;
+  JsonValue document;  // the same file's JSON, for extras and extensions
 };
 
 // Reads a .gltf or .glb file and the files that it refers to. Throws SceneError without the file's

@@ -27,9 +27,9 @@ void rotate_away(glm::dmat3& m, int p, int q) {
 
 glm::dmat4 parent_from_node(const tinygltf::Node& node) {
   if (node.matrix.size() == 16) {
-    glm::dmat4 matrix;
+    glm::dmat4 matrix(1.0);
     for (int column = 0; column < 4; ++column) {
-      for (int row = 0; row < 4; ++row) {
+      for (int row = 0; row < 3; ++row) {
         matrix[column][row] = node.matrix[static_cast<std::size_t>(4 * column + row)];
       }
     }
@@ -70,6 +70,19 @@ double condition_number(const glm::dmat4& affine) {
   const double low = std::fmin(m[0][0], std::fmin(m[1][1], m[2][2]));
   const double high = std::fmax(m[0][0], std::fmax(m[1][1], m[2][2]));
   return low > 0.0 && std::isfinite(high) ? std::sqrt(high / low) : kInfinity;
+}
+
+bool is_collapsed(const glm::dmat4& affine) {
+  constexpr double kFlat = 1e12;  // products of rotations and a scale of 0 leave rounding
+  constexpr double kTiny = 1e-9;  // times a metre
+  double largest = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      if (!std::isfinite(affine[i][j])) return false;
+      largest = std::fmax(largest, std::abs(affine[i][j]));
+    }
+  }
+  return largest < kTiny || condition_number(affine) > kFlat;
 }
 
 void check_transform_usable(const glm::dmat4& affine, const std::string& path) {

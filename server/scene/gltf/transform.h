@@ -14,6 +14,10 @@ glm::dmat4 parent_from_node(const tinygltf::Node& node);
 // Largest over smallest singular value of the upper 3x3 part; infinity if singular or not finite.
 double condition_number(const glm::dmat4& affine);
 
+// Whether it makes everything flat or too small for any picture: a scale of 0 (valid glTF), or one
+// as for atoms.
+bool is_collapsed(const glm::dmat4& affine);
+
 // Throws SceneError "path: ..." if the condition number is over 1e6 (numerics B23), or if float
 // cannot hold the matrix, its determinant or its inverse.
 void check_transform_usable(const glm::dmat4& affine, const std::string& path);

@@ -10,6 +10,7 @@
 #include <limits>
 #include <random>
 
+#include "client/board_tracker.h"
 #include "client/synthetic_path.h"
 
 namespace amalgam::client {
@@ -182,6 +183,50 @@ TEST(BoardPose, NonsenseGivesNothingOrSomethingUsable) {
       EXPECT_TRUE(common::is_usable(solution.pose));
     }
   }
+}
+
+// What a camera sees of the markers whose ids are in [first, last].
+std::vector<DetectedMarker> seen_of(const std::vector<BoardMarker>& markers,
+                                    const common::MarkerPose& pose,
+                                    const common::CameraModel& camera, int first, int last) {
+  std::vector<DetectedMarker> seen;
+  for (const BoardMarker& marker : markers) {
+    if (marker.id < first || marker.id > last) continue;
+    DetectedMarker& detected = seen.emplace_back();
+    detected.id = marker.id;
+    for (std::size_t i = 0; i < 4; ++i) {
+      detected.corners[i] = *common::project(
+          camera, glm::dvec3(common::to_matrix(pose) * glm::dvec4(marker.corners[i], 1.0)));
+    }
+  }
+  return seen;
+}
+
+// Boards with an even number of rows were printed otherwise before OpenCV 4.6.
+TEST(CharucoBoard, ShowsWhichLayoutWasPrinted) {
+  const common::CameraModel camera = common::default_camera(640, 480);
+  // Turned by 160 degrees about x: the board faces the camera, a little askew.
+  const common::MarkerPose truth{
+      0, glm::angleAxis(glm::radians(160.0), glm::dvec3(1, 0, 0)), {0.01, -0.02, 0.4}};
+  const MarkerBoard board = make_charuco_board(4, 4, 0.05, 0.03, 0);
+  for (const bool older : {false, true}) {
+    const auto& printed = older ? board.older_markers : board.markers;
+    BoardTracker tracker(board, camera);
+    // A marker, or the top row, fits both layouts, in two places.
+    EXPECT_FALSE(tracker.track(seen_of(printed, truth, camera, 0, 0), 0).pose);
+    EXPECT_FALSE(tracker.track(seen_of(printed, truth, camera, 0, 1), 1).pose);
+    const auto tracked = tracker.track(seen_of(printed, truth, camera, 0, 7), 2);
+    ASSERT_TRUE(tracked.pose);
+    EXPECT_LT(glm::distance(tracked.pose->translation, truth.translation), 1e-4);
+    EXPECT_EQ(tracked.outliers, 0u);
+    const auto row = tracker.track(seen_of(printed, truth, camera, 0, 1), 3);
+    ASSERT_TRUE(row.pose);
+    EXPECT_LT(glm::distance(row.pose->translation, truth.translation), 1e-3);
+  }
+}
+
+TEST(CharucoBoard, HasOneLayoutWithAnOddNumberOfRows) {
+  EXPECT_TRUE(make_charuco_board(4, 3, 0.05, 0.03, 0).older_markers.empty());
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <fstream>
 
+#include "common/camera_model.h"
 #include "support/test_data.h"
 
 namespace amalgam::client {
@@ -74,8 +75,9 @@ TEST(Calibration, AcceptsTiltCoefficientsOnlyAsZero) {
 
 TEST(Calibration, SaysWhatIsWrongWithAFile) {
   EXPECT_THAT(error_of(""), HasSubstr("empty"));
-  EXPECT_THAT(error_of("not a calibration"), HasSubstr("not an OpenCV calibration"));
-  EXPECT_THAT(error_of(kHead + "camera_matrix: [1, 2\n"), HasSubstr("not an OpenCV calibration"));
+  EXPECT_THAT(error_of("not a calibration"), HasSubstr("no calibration file of OpenCV, ROS"));
+  EXPECT_THAT(error_of(kHead + "camera_matrix: [1, 2\n"),
+              HasSubstr("no calibration file of OpenCV, ROS"));
   EXPECT_THAT(error_of(kHead + kNoDistortion), HasSubstr("no camera_matrix"));
   EXPECT_THAT(error_of(kHead + kCamera), HasSubstr("no distortion_coefficients"));
   EXPECT_THAT(error_of(kHead + "camera_matrix: " + matrix(2, 2, "1., 0., 0., 1.") + kNoDistortion),

@@ -31,6 +31,20 @@ cv::Mat draw(const MarkerSheet& sheet) {
   return page;
 }
 
+// Tag 0 of tag36h11 as the AprilTag project has it, by rows, is 0xd5d628584; OpenCV's dictionary
+// has it turned by 180 degrees, that is, with its bits from the end (README, Scenes).
+TEST(MarkerSheet, AprilTagsAreTurnedByHalf) {
+  const MarkerSheet sheet = lay_out_markers("DICT_APRILTAG_36h11", std::vector<int>{0}, 0.08);
+  std::uint64_t bits = 0;
+  for (const Square& cell : sheet.markers.at(0).white) {
+    const Square& outline = sheet.markers[0].outline;
+    const auto column = std::lround((cell.x - outline.x) / 10.0) - 1;
+    const auto row = std::lround((cell.y - outline.y) / 10.0) - 1;
+    bits |= std::uint64_t{1} << (6 * row + column);  // the first cell is the lowest bit
+  }
+  EXPECT_EQ(bits, 0xd5d628584u);
+}
+
 // A camera that looks straight down on the page from f pixels / (pixels per metre) away sees a
 // marker of the right length at that distance.
 TEST(MarkerSheet, IsFoundAtItsTrueSize) {

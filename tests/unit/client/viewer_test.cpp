@@ -50,6 +50,30 @@ Bytes picture(int width, int height, const std::vector<int>& parameters = {},
   return bytes;
 }
 
+TEST(ImagesSource, UnreadableFilesAreSaidAtOnce) {
+  const auto folder = fresh_folder();
+  write(folder / "a.jpg", encode_jpeg(cv::Mat(16, 16, CV_8UC3, cv::Scalar::all(50)), 90));
+  std::filesystem::create_directory(folder / "b.jpg");
+  const ImagesOptions options{.patterns = {(folder / "*.jpg").string()}, .size = {}};
+  EXPECT_THROW(ImagesSource{options}, std::runtime_error);
+}
+
+// "a[1].jpg" is also a pattern, which "a1.jpg" matches.
+TEST(ImagesSource, ANameIsANameFirst) {
+  const auto folder = fresh_folder();
+  for (const auto& [name, grey] : {std::pair("a[1].jpg", 50), {"a1.jpg", 200}}) {
+    write(folder / name, encode_jpeg(cv::Mat(16, 16, CV_8UC3, cv::Scalar::all(grey)), 90));
+  }
+  const auto first_grey = [&](const char* pattern) {
+    ImagesSource source({.patterns = {(folder / pattern).string()}, .size = {}});
+    const auto frame = source.next();
+    EXPECT_FALSE(source.next());
+    return int{frame->bgr.at<cv::Vec3b>(8, 8)[0]};
+  };
+  EXPECT_EQ(first_grey("a[1].jpg"), 50);
+  EXPECT_EQ(first_grey("a[12].jpg"), 200);
+}
+
 TEST(JpegBytes, TellsWhatAServerTakes) {
   EXPECT_TRUE(is_sendable_jpeg(picture(64, 48)));
   EXPECT_FALSE(is_sendable_jpeg(picture(64, 48, {cv::IMWRITE_JPEG_PROGRESSIVE, 1})));

@@ -135,14 +135,15 @@ TEST(JpegPatchFiles, ATableWithTwoContentsIsDeclined) {
   EXPECT_FALSE(patchable(jpeg));
 }
 
-TEST(JpegPatchFiles, TheColorProfileIsKeptAndExifIsNot) {
-  const auto profile = "ICC_PROFILE\0\1\1what red is"sv, exif = "Exif\0\0where it was taken"sv;
+TEST(JpegPatchFiles, MetadataAreKept) {
+  const auto profile = "ICC_PROFILE\0\1\1what red is"sv, exif = "Exif\0\0which way is up"sv;
   const Bytes camera = tests::with_segment(tests::with_segment(sample({}), 2, profile), 1, exif);
   const auto out = patched(camera, noisy_picture(40, 40, 2));
   ASSERT_TRUE(out);
   EXPECT_TRUE(holds(*out, profile));
   EXPECT_TRUE(holds(*out, "JFIF"sv));
-  EXPECT_FALSE(holds(*out, "Exif"sv));
+  EXPECT_TRUE(holds(*out, exif));
+  EXPECT_NO_THROW(decode_jpeg(*out));
 }
 
 TEST(JpegPatchFiles, EveryTruncationIsRefused) {

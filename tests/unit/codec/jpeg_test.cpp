@@ -8,6 +8,7 @@
 #include <fstream>
 #include <random>
 
+#include "codec/jpeg_patch.h"
 #include "support/test_data.h"
 
 namespace amalgam::codec {
@@ -155,6 +156,35 @@ TEST(Jpeg, RefusesEveryTruncation) {
 
 // What lies in memory from an earlier picture must never show in a damaged one (reliability, fault
 // 15).
+Bytes with_stray_bytes(Bytes jpeg, std::size_t at, std::size_t count) {
+  jpeg.insert(jpeg.begin() + static_cast<std::ptrdiff_t>(at), count, std::byte{0x11});
+  return jpeg;
+}
+
+// Many webcams do it, and everybody shows the picture: the data are whole.
+TEST(Jpeg, StrayBytesBeforeAMarkerAreSkipped) {
+  const Bytes jpeg = encode_jpeg(gradient(40, 30), 90);
+  const common::ImageRgb8 expected = decode_jpeg(jpeg);
+  const std::size_t frame = frame_marker(jpeg) - 1, end = jpeg.size() - 2;
+  for (const std::size_t count : {1u, 2u, 6u, 64u}) {
+    EXPECT_EQ(decode_jpeg(with_stray_bytes(jpeg, end, count)), expected) << count;
+    EXPECT_EQ(decode_jpeg(with_stray_bytes(jpeg, frame, count)), expected) << count;
+    EXPECT_TRUE(JpegCoefficients::read(with_stray_bytes(jpeg, end, count))) << count;
+  }
+  // So many are data that were not understood.
+  EXPECT_THROW(decode_jpeg(with_stray_bytes(jpeg, end, 200)), JpegError);
+}
+
+TEST(Jpeg, AReportedWebcamFrameIsDecoded) {
+  const auto data = tests::test_data();
+  if (!data) GTEST_SKIP() << "test data not found";
+  const Bytes frame = read_file(*data / "reports/jpeg-extraneous-bytes/extran.jpg");
+  Bytes clean = frame;
+  clean.erase(clean.end() - 3);  // the stray byte stands before the end marker
+  EXPECT_EQ(decode_jpeg(frame), decode_jpeg(clean));
+  EXPECT_TRUE(JpegCoefficients::read(frame));
+}
+
 TEST(Jpeg, DamagedPicturesNeverShowEarlierPixels) {
   const Bytes magenta = encode_jpeg(common::ImageRgb8(64, 64, common::Rgb8(255, 0, 255)), 90);
   const Bytes green = encode_jpeg(common::ImageRgb8(64, 64, common::Rgb8(0, 200, 0)), 90);

@@ -55,18 +55,15 @@ TEST(Picture, RefusesLargeSizesBeforeDecoding) {
 TEST(Picture, RefusesOtherKinds) {
   EXPECT_FALSE(is_picture(bytes_of("GIF89a")));
   EXPECT_THROW(decode_picture(bytes_of("GIF89a")), PictureError);
-  EXPECT_THROW(decode_radiance_hdr(read(kMarble)), PictureError);
   EXPECT_THROW(decode_picture({}), PictureError);
 }
 
-TEST(Picture, ReadsRadiance) {
-  // Flat RGBE: exponent 128 + 1, mantissa 128 is 1.0.
-  const std::string text(
-      "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n\x80\x40\x20\x81\x80\x80\x80\x82", 53);
-  const common::ImageRgb32f image = decode_radiance_hdr(bytes_of(text));
-  ASSERT_EQ(image.size(), glm::ivec2(2, 1));
-  EXPECT_EQ(image.at(0, 0), glm::vec3(1.0f, 0.5f, 0.25f));
-  EXPECT_EQ(image.at(1, 0), glm::vec3(2.0f));
+// Each scan costs a pass over the whole picture.
+TEST(Picture, RefusesAJpegWithVeryManyScans) {
+  Bytes jpeg = encode_jpeg(common::ImageRgb8(20, 10, common::Rgb8(200, 30, 40)), 95);
+  EXPECT_NO_THROW(check_picture(jpeg));
+  for (int i = 0; i < 1000; ++i) jpeg.insert(jpeg.end(), {std::byte{0xFF}, std::byte{0xDA}});
+  EXPECT_THROW(check_picture(jpeg), PictureError);
 }
 
 }  // namespace

@@ -116,7 +116,7 @@ TEST(GltfExtras, WrongLightsAreRefused) {
   EXPECT_THAT(refusal(R"({"type": "point"})", 1), HasSubstr("no such light"));
   EXPECT_THAT(refusal(R"({"type": "moon"})", 0), HasSubstr("moon"));
   EXPECT_THAT(refusal(R"({"type": "point", "intensity": -1})", 0), HasSubstr("intensity"));
-  EXPECT_THAT(refusal(R"({"type": "spot"})", 0), HasSubstr("spot"));
+  EXPECT_THAT(refusal(R"({"type": "spot", "spot": {"outerConeAngle": 2}})", 0), HasSubstr("Cone"));
 }
 
 }  // namespace

@@ -109,10 +109,10 @@ TEST(GltfMaterials, NonsenseIsRefused) {
   };
   using testing::HasSubstr;
   EXPECT_THAT(refusal(R"("alphaMode": "GLASS")"), HasSubstr("materials[0].alphaMode"));
-  EXPECT_THAT(refusal(R"("emissiveFactor": [2, 0, 0])"), HasSubstr("emissiveFactor[0]"));
+  EXPECT_THAT(refusal(R"("emissiveFactor": [-2, 0, 0])"), HasSubstr("emissiveFactor[0]"));
   EXPECT_THAT(refusal(R"("normalTexture": {"index": 4})"), HasSubstr("there is no textures[4]"));
   EXPECT_THAT(refusal(R"("extensions": {"KHR_materials_ior": {"ior": 0.5}})"), HasSubstr("ior"));
-  EXPECT_THAT(refusal(R"("extensions": {"KHR_materials_volume": {"attenuationDistance": 0}})"),
+  EXPECT_THAT(refusal(R"("extensions": {"KHR_materials_volume": {"attenuationDistance": -1}})"),
               HasSubstr("attenuationDistance"));
 }
 

@@ -76,8 +76,9 @@ TEST(GltfRobustness, AgreesWithTheKhronosValidator) {
   std::cout << "refused " << wrong_refused << " of " << wrong << " wrong files and noted "
             << wrong_noted << "; accepted without a word:" << missed << "\naccepted "
             << right_accepted << " of " << right << " right files; refused:" << strict << "\n";
-  // What is left: values of animations and skins, which are not read.
-  EXPECT_GE(wrong_refused, wrong * 93 / 100);
+  // Refused is what would make the picture wrong. What is left without a note: values of animations
+  // and skins, which are not read.
+  EXPECT_GE(wrong_refused, wrong * 45 / 100);
   EXPECT_GE(wrong_refused + wrong_noted, wrong * 97 / 100);
   // What is left: buffers without any data, a URL, minVersion 2.1, an unknown accessor type.
   EXPECT_GE(right_accepted, right * 84 / 100);
@@ -94,16 +95,13 @@ TEST(GltfRobustness, CrashReproducersAreReadOrRefused) {
   EXPECT_EQ(load(*data / "robustness/gltf_tinygltf/tests/issue-416.gltf"), Outcome::Refused);
 }
 
-// Files that authors made to be drawn: all are, but for one that requires Draco and one in which a
-// vertex is 2^31 metres away, against the bounds that it states.
+// Files that authors made to be drawn: all are.
 TEST(GltfRobustness, FilesForViewersAreRead) {
   const auto data = tests::test_data();
   if (!data) GTEST_SKIP() << "test data not found";
   for (const auto& entry : fs::recursive_directory_iterator(*data / "gltf")) {
     if (!is_scene(entry.path())) continue;
-    const fs::path name = entry.path().filename();
-    const bool wrong = name == "DenseSphere.glb" || name == "ZeroLengthBufferView.gltf";
-    EXPECT_EQ(load(entry.path()) == Outcome::Refused, wrong) << entry.path();
+    EXPECT_NE(load(entry.path()), Outcome::Refused) << entry.path();
   }
 }
 

@@ -1,5 +1,6 @@
 #include "scene/gltf/check/json_value.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "scene/gltf/container.h"
@@ -63,8 +64,20 @@ std::string u32(std::size_t n) {
   return s;
 }
 
-GltfContainer open(const std::string& file, bool glb = true) {
-  return open_gltf_container(std::as_bytes(std::span(file)), glb);
+struct Opened {
+  GltfContainer container;
+  std::vector<std::string> notes;
+};
+
+Opened open(const std::string& file, bool glb = true) {
+  Opened opened;
+  opened.container = open_gltf_container(std::as_bytes(std::span(file)), glb, opened.notes);
+  return opened;
+}
+
+std::string text_of(const std::optional<std::span<const std::byte>>& bytes) {
+  if (!bytes) return "nothing";
+  return {reinterpret_cast<const char*>(bytes->data()), bytes->size()};
 }
 
 std::string glb_of(const std::string& chunks) {
@@ -76,12 +89,37 @@ const std::string kBinChunk = u32(4) + std::string("BIN\0abcd", 8);
 
 TEST(GltfContainer, ChunksAreFound) {
   const std::string file = glb_of(kJsonChunk + kBinChunk);
-  const GltfContainer container = open(file, false);
-  EXPECT_TRUE(container.is_glb);
-  EXPECT_EQ(container.json, "{}  ");
-  ASSERT_TRUE(container.binary);
-  EXPECT_EQ(container.binary->size(), 4u);
-  EXPECT_FALSE(open("{}", false).is_glb);
+  const Opened glb = open(file, false);
+  EXPECT_EQ(glb.container.json, "{}  ");
+  EXPECT_EQ(text_of(glb.container.binary), "abcd");
+  EXPECT_TRUE(glb.notes.empty());
+  EXPECT_EQ(open("{}", false).container.json, "{}");
+}
+
+// Writers that do not pad their chunks, or do not count the padding.
+TEST(GltfContainer, UnpaddedChunksAreFoundAndNoted) {
+  for (const std::string padding : {"", " "}) {
+    const std::string file =
+        glb_of(u32(3) + "JSON{} " + padding + u32(3) + std::string("BIN\0abc", 7));
+    const Opened glb = open(file);
+    EXPECT_EQ(glb.container.json, "{} ");
+    EXPECT_EQ(text_of(glb.container.binary), "abc");
+    EXPECT_THAT(glb.notes, testing::Contains("GLB chunk length is not a multiple of 4"));
+  }
+}
+
+TEST(GltfContainer, BytesBehindTheEndAreNoted) {
+  const Opened glb = open(glb_of(kJsonChunk + kBinChunk) + "rubbish that is long");
+  EXPECT_EQ(text_of(glb.container.binary), "abcd");
+  EXPECT_THAT(glb.notes, testing::Contains(testing::HasSubstr("GLB declares 36 bytes and has 56")));
+}
+
+TEST(GltfContainer, ALengthThatLeavesOutTheLastChunkIsNoted) {
+  std::string file = glb_of(kJsonChunk + kBinChunk);
+  file.replace(8, 4, u32(24));
+  const Opened glb = open(file);
+  EXPECT_EQ(text_of(glb.container.binary), "abcd");
+  EXPECT_EQ(glb.notes.size(), 1u);
 }
 
 TEST(GltfContainer, EveryTruncationIsRefused) {
@@ -95,7 +133,6 @@ TEST(GltfContainer, ChunksOutOfPlaceAreRefused) {
   EXPECT_THROW(open(glb_of(kBinChunk)), SceneError);
   EXPECT_THROW(open(glb_of(kJsonChunk + kJsonChunk)), SceneError);
   EXPECT_THROW(open(glb_of(kJsonChunk + kBinChunk + kBinChunk)), SceneError);
-  EXPECT_THROW(open(glb_of(u32(3) + "JSON{} ")), SceneError);
   EXPECT_NO_THROW(open(glb_of(kJsonChunk + u32(0) + "XTRA")));
 }
 

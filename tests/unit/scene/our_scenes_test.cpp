@@ -65,6 +65,12 @@ bool are_apart(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b,
   });
 }
 
+TEST(OurScenes, HaveNoLikelyMistakes) {
+  for (const char* name : {"complex", "diffuse", "glassware", "markers", "mirror"}) {
+    EXPECT_THAT(load(std::string(name) + ".gltf").warnings, testing::IsEmpty()) << name;
+  }
+}
+
 TEST(OurScenes, ComplexIsTheThesissScene) {
   const Scene scene = load("complex.gltf");
   EXPECT_TRUE(scene.notes.empty()) << scene.notes.front();

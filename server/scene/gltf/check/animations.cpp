@@ -3,7 +3,7 @@
 
 #include "scene/gltf/check/check_context.h"
 
-// Animations are not played. They are checked all the same: a wrong one is a sign of a damaged
+// Animations are not played. They are checked all the same: a wrong one may be a sign of a damaged
 // file.
 
 namespace amalgam::scene {
@@ -42,7 +42,8 @@ std::size_t morph_targets(const GltfCheckContext& context, const JsonCursor& nod
   const auto mesh = node.find("mesh");
   if (!mesh) return 0;
   const JsonCursor& used = context.all("meshes")[context.resolve(*mesh, "meshes")];
-  const auto targets = used.get("primitives").items().front().find("targets");
+  const auto primitives = used.get("primitives").items();
+  const auto targets = primitives.empty() ? std::nullopt : primitives.front().find("targets");
   return targets ? targets->items().size() : 0;
 }
 
@@ -76,11 +77,11 @@ void check_output(const GltfCheckContext& context, const JsonCursor& channel,
 void check_animations(const GltfCheckContext& context) {
   for (const JsonCursor& animation : context.all("animations")) {
     std::vector<Sampler> samplers;
-    for (const JsonCursor& at : animation.get("samplers").filled_items()) {
+    for (const JsonCursor& at : context.listed(animation.get("samplers"))) {
       samplers.push_back(check_sampler(context, at));
     }
     std::set<std::pair<std::size_t, std::string>> targets;
-    for (const JsonCursor& channel : animation.get("channels").filled_items()) {
+    for (const JsonCursor& channel : context.listed(animation.get("channels"))) {
       const JsonCursor sampler_at = channel.get("sampler");
       const auto sampler = static_cast<std::size_t>(sampler_at.integer(0));
       if (sampler >= samplers.size()) sampler_at.fail("there is no such sampler");

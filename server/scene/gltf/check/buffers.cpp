@@ -8,12 +8,18 @@ namespace amalgam::scene {
 namespace {
 
 constexpr long long kMaxBufferBytes = 512LL << 20;
-constexpr int kVertices = 34962, kIndices = 34963;
+constexpr const char* kMeshopt = "EXT_meshopt_compression";
+
+std::optional<JsonCursor> meshopt_of(const JsonCursor& holder) {
+  const auto extensions = holder.find("extensions");
+  return extensions ? extensions->find(kMeshopt) : std::nullopt;
+}
 
 void check_sparse(const GltfCheckContext& context, const JsonCursor& sparse,
                   const AccessorFacts& accessor) {
   const JsonCursor count_at = sparse.get("count");
-  const long long count = count_at.integer(1);
+  const long long count = count_at.integer(0);
+  if (count == 0) return context.note(count_at, "is 0");
   if (count > accessor.count) count_at.fail("more sparse elements than the accessor has");
   const auto check_part = [&](const char* name, int component, int components) {
     const JsonCursor part = sparse.get(name);
@@ -22,7 +28,7 @@ void check_sparse(const GltfCheckContext& context, const JsonCursor& sparse,
     if (view.stride) view_at.fail("a view with byteStride cannot hold sparse data");
     const auto offset_at = part.find("byteOffset");
     const long long offset = offset_at ? offset_at->integer(0) : 0;
-    if (offset % component_bytes(component) != 0) offset_at->fail("is not aligned");
+    if (offset % component_bytes(component) != 0) context.note(*offset_at, "is not aligned");
     if (offset + count * component_bytes(component) * components > view.length) {
       part.fail("sparse data reach beyond their bufferView");
     }
@@ -36,15 +42,20 @@ void check_sparse(const GltfCheckContext& context, const JsonCursor& sparse,
   check_part("values", accessor.component, component_count(accessor.type));
 }
 
-void check_inside_view(const JsonCursor& at, const AccessorFacts& accessor, const ViewFacts& view) {
+void check_inside_view(const GltfCheckContext& context, const JsonCursor& at,
+                       const AccessorFacts& accessor) {
+  const ViewFacts& view = context.views[*accessor.view];
   const long long component = component_bytes(accessor.component);
   const long long element = component * component_count(accessor.type);
-  if (accessor.offset % component != 0) at.fail("byteOffset is not aligned to its component type");
+  // Numbers are copied byte by byte, so that alignment does not matter.
+  if (accessor.offset % component != 0)
+    context.note(at, "byteOffset is not aligned to its component type");
   if (view.stride && *view.stride < element) {
     at.fail("elements are longer than the bufferView's byteStride");
   }
   const long long stride = view.stride.value_or(element);
-  if (stride % component != 0) at.fail("byteStride is not aligned to its component type");
+  if (stride % component != 0) context.note(at, "byteStride is not aligned to its component type");
+  if (accessor.count == 0) return;
   // In this order nothing can overflow: counts are below 2^53 only on paper.
   if (accessor.offset > view.length || element > view.length - accessor.offset ||
       accessor.count - 1 > (view.length - accessor.offset - element) / stride) {
@@ -52,11 +63,13 @@ void check_inside_view(const JsonCursor& at, const AccessorFacts& accessor, cons
   }
 }
 
-void check_bounds(const JsonCursor& at, AccessorFacts& accessor) {
+void check_bounds(const GltfCheckContext& context, const JsonCursor& at, AccessorFacts& accessor) {
   const auto min = at.find("min"), max = at.find("max");
   const auto components = static_cast<std::size_t>(component_count(accessor.type));
-  if (min) min->numbers(components);
-  if (max) max->numbers(components);
+  context.note_if_wrong("bounds are not used", [&] {
+    if (min) min->numbers(components);
+    if (max) max->numbers(components);
+  });
   accessor.has_bounds = min && max;
 }
 
@@ -93,11 +106,14 @@ void check_buffers(const GltfCheckContext& context, std::optional<std::size_t> b
   long long total = 0;
   for (std::size_t i = 0; i < buffers.size(); ++i) {
     const JsonCursor length_at = buffers[i].get("byteLength");
-    const long long length = length_at.integer(1, kMaxBufferBytes);
+    const long long length = length_at.integer(0, kMaxBufferBytes);
+    if (length == 0) context.note(buffers[i], "is empty");
     total += length;
     if (total > kMaxBufferBytes) length_at.fail("the buffers together are larger than 512 MiB");
     if (const auto uri = buffers[i].find("uri")) {
-      check_buffer_uri(*uri, length);
+      check_buffer_uri(context, *uri, length);
+    } else if (meshopt_of(buffers[i]) || length == 0) {
+      continue;  // what it would hold is compressed in another one
     } else if (i != 0 || !binary_bytes) {
       buffers[i].fail("has no uri, and there is no GLB chunk for it");
     } else if (length > static_cast<long long>(*binary_bytes)) {
@@ -108,9 +124,10 @@ void check_buffers(const GltfCheckContext& context, std::optional<std::size_t> b
 }
 
 void check_buffer_views(GltfCheckContext& context) {
+  long long decompressed = 0;
   for (const JsonCursor& at : context.all("bufferViews")) {
     const std::size_t buffer = context.resolve(at.get("buffer"), "buffers");
-    const long long available = context.all("buffers")[buffer].get("byteLength").integer(1);
+    const long long available = context.all("buffers")[buffer].get("byteLength").integer(0);
     ViewFacts view;
     view.length = at.get("byteLength").integer(0, kMaxBufferBytes);
     // Against the specification, but exporters write them for empty tables of metadata. Whatever
@@ -122,22 +139,27 @@ void check_buffer_views(GltfCheckContext& context) {
       at.fail("reaches beyond its buffer of " + std::to_string(available) + " bytes");
     }
     if (const auto stride = at.find("byteStride")) {
-      view.stride = stride->integer(4, 252);
-      if (*view.stride % 4 != 0) stride->fail("is not a multiple of 4");
-      if (*view.stride > view.length) stride->fail("is longer than the bufferView");
+      const long long bytes = stride->integer(0, kMaxBufferBytes);
+      if (bytes > 0) view.stride = bytes;  // glTF 1 wrote 0 for "close together"
+      if (bytes < 4 || bytes > 252 || bytes % 4 != 0)
+        context.note(*stride, "is not a multiple of 4 within 4 and 252");
+      if (bytes > view.length) context.note(*stride, "is longer than the bufferView");
     }
-    if (const auto target = at.find("target")) {
-      view.target = static_cast<int>(target->integer(0));
-      if (view.target != kVertices && view.target != kIndices)
-        target->fail("is neither 34962 nor 34963");
-      if (view.stride && view.target == kIndices) at.fail("indices cannot have a byteStride");
+    const auto compressed = meshopt_of(at);
+    const JsonCursor& holder = context.all("buffers")[buffer];
+    if (compressed) {
+      check_meshopt(context, *compressed, view.length);
+      decompressed += view.length;
+      if (decompressed > kMaxBufferBytes) at.fail("decompressed data are larger than 512 MiB");
+    } else if (!holder.find("uri") && meshopt_of(holder)) {
+      at.fail("lies in a buffer without data");
     }
     context.views.push_back(view);
   }
 }
 
 void check_accessors(GltfCheckContext& context) {
-  constexpr long long kMaxCount = 100'000'000, kMaxZeros = 1'000'000;
+  constexpr long long kMaxCount = 100'000'000;
   for (const JsonCursor& at : context.all("accessors")) {
     AccessorFacts accessor;
     const JsonCursor component_at = at.get("componentType"), type_at = at.get("type");
@@ -145,25 +167,26 @@ void check_accessors(GltfCheckContext& context) {
     if (component_bytes(accessor.component) == 0) component_at.fail("is not a component type");
     accessor.type = type_at.string();
     if (component_count(accessor.type) == 0) type_at.fail("'" + accessor.type + "' is not a type");
-    accessor.count = at.get("count").integer(1, kMaxCount);
+    accessor.count = at.get("count").integer(0, kMaxCount);
+    if (accessor.count == 0) context.note(at, "has no elements");
     if (const auto normalized = at.find("normalized")) {
       accessor.normalized = normalized->boolean();
       if (accessor.normalized &&
           (accessor.component == kFloat || accessor.component == kUnsignedInt)) {
-        normalized->fail("only 8 and 16 bit integers can be normalized");
+        context.note(*normalized, "only 8 and 16 bit integers can be normalized");
+        accessor.normalized = false;
       }
     }
     const auto offset = at.find("byteOffset"), view = at.find("bufferView");
     if (offset) accessor.offset = offset->integer(0, kMaxBufferBytes);
-    if (offset && !view) offset->fail("byteOffset without a bufferView");
+    if (offset && !view) context.note(*offset, "stands without a bufferView");
     if (view) {
       accessor.view = context.resolve(*view, "bufferViews");
-      check_inside_view(at, accessor, context.views[*accessor.view]);
-    } else if (accessor.count > kMaxZeros) {
-      at.fail("has more than a million elements and no data");
+      check_inside_view(context, at, accessor);
     }
-    check_bounds(at, accessor);
+    check_bounds(context, at, accessor);
     if (const auto sparse = at.find("sparse")) check_sparse(context, *sparse, accessor);
+    accessor.has_data = view || at.find("sparse");
     context.accessors.push_back(std::move(accessor));
   }
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <set>
 
 #include "scene/gltf/check/check_context.h"
 
@@ -13,14 +12,6 @@ namespace {
 constexpr std::array<std::string_view, 13> kCollections{
     "accessors", "animations", "buffers",  "bufferViews", "cameras", "images",  "materials",
     "meshes",    "nodes",      "samplers", "scenes",      "skins",   "textures"};
-
-// Extensions whose meaning is honoured or whose absence leaves a file readable as it is.
-constexpr std::array<std::string_view, 13> kKnownExtensions{
-    "KHR_lights_punctual",    "KHR_materials_clearcoat",    "KHR_materials_emissive_strength",
-    "KHR_materials_ior",      "KHR_materials_iridescence",  "KHR_materials_sheen",
-    "KHR_materials_specular", "KHR_materials_transmission", "KHR_materials_unlit",
-    "KHR_materials_variants", "KHR_materials_volume",       "KHR_texture_transform",
-    "KHR_xmp_json_ld"};
 
 struct Version {
   int major = 0;
@@ -49,10 +40,25 @@ GltfCheckContext::GltfCheckContext(const JsonCursor& document,
   root.expect_object();
   for (const std::string_view name : kCollections) {
     auto& elements = collections_[std::string(name)];
-    if (const auto found = root.find(name)) elements = found->filled_items();
+    if (const auto found = root.find(name)) elements = listed(*found);
     if (elements.size() > kMaxElements) root.get(name).fail("has more than 200,000 elements");
     for (const JsonCursor& element : elements) element.expect_object();
   }
+  if (const auto used = root.find("extensionsUsed")) {
+    for (const JsonCursor& name : listed(*used)) {
+      if (!used_.insert(name.string()).second) note(name, "'" + name.string() + "' occurs twice");
+    }
+  }
+}
+
+std::vector<JsonCursor> GltfCheckContext::listed(const JsonCursor& list) const {
+  auto items = list.items();
+  if (items.empty()) note(list, "is empty");
+  return items;
+}
+
+bool GltfCheckContext::uses(std::string_view extension) const {
+  return used_.contains(extension);
 }
 
 const std::vector<JsonCursor>& GltfCheckContext::all(std::string_view collection) const {
@@ -71,8 +77,12 @@ std::size_t GltfCheckContext::resolve(const JsonCursor& reference,
 }
 
 void GltfCheckContext::note(const JsonCursor& where, const std::string& what) const {
+  add_note(where.path() + ": " + what);
+}
+
+void GltfCheckContext::add_note(std::string text) const {
   constexpr std::size_t kMaxNotes = 1000;  // a huge file may repeat one slip everywhere
-  if (notes_.size() < kMaxNotes) notes_.push_back(where.path() + ": " + what);
+  if (notes_.size() < kMaxNotes) notes_.push_back(std::move(text));
 }
 
 void check_asset(const GltfCheckContext& context) {
@@ -81,44 +91,9 @@ void check_asset(const GltfCheckContext& context) {
   const Version version = read_version(at);
   if (version.major != 2) at.fail("glTF version " + at.string() + " is not supported, only 2.x");
   if (const auto minimum = asset.find("minVersion")) {
-    if (read_version(*minimum) > version) minimum->fail("is above the file's own version");
     if (read_version(*minimum) > Version{2, 0})
       minimum->fail("only readers of 2.0 are provided for");
-  }
-}
-
-void check_extensions(const GltfCheckContext& context) {
-  const auto names = [&](std::string_view list) {
-    std::set<std::string> all;
-    const auto found = context.root.find(list);
-    if (!found) return all;
-    for (const JsonCursor& name : found->filled_items()) {
-      if (!all.insert(name.string()).second) name.fail("'" + name.string() + "' occurs twice");
-    }
-    return all;
-  };
-  const auto used = names("extensionsUsed");
-  for (const std::string& required : names("extensionsRequired")) {
-    const JsonCursor at = context.root.get("extensionsRequired");
-    if (std::find(kKnownExtensions.begin(), kKnownExtensions.end(), required) ==
-        kKnownExtensions.end()) {
-      at.fail("the file cannot be read without the extension " + required +
-              ", which is not supported");
-    }
-    if (!used.contains(required)) at.fail(required + " is missing from extensionsUsed");
-  }
-  // Extension objects must be objects; KHR_lights_punctual's own content is read by the loader.
-  const auto check_object = [&](const JsonCursor& holder) {
-    const auto extensions = holder.find("extensions");
-    if (!extensions) return;
-    for (const auto& [name, extension] : extensions->members()) {
-      extension.expect_object();
-      if (!used.contains(name)) context.note(extension, "is not declared in extensionsUsed");
-    }
-  };
-  check_object(context.root);
-  for (const std::string_view collection : kCollections) {
-    for (const JsonCursor& element : context.all(collection)) check_object(element);
+    if (read_version(*minimum) > version) context.note(*minimum, "is above the file's own version");
   }
 }
 
@@ -132,11 +107,11 @@ void check_gltf(const JsonCursor& root, std::optional<std::size_t> binary_bytes,
   check_accessors(context);
   check_textures(context);
   check_materials(context);
-  check_cameras(context);
   check_meshes(context);
   check_nodes(context);
-  check_skins(context);
-  check_animations(context);
+  context.note_if_wrong("cameras are not used", [&] { check_cameras(context); });
+  context.note_if_wrong("skins are not used", [&] { check_skins(context); });
+  context.note_if_wrong("animations are not played", [&] { check_animations(context); });
 }
 
 }  // namespace amalgam::scene

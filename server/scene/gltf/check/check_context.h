@@ -4,11 +4,13 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "scene/gltf/check/json_value.h"
+#include "scene/scene_error.h"
 
 namespace amalgam::scene {
 
@@ -25,7 +27,6 @@ enum ComponentType : int {
 struct ViewFacts {
   long long length = 0;             // bytes
   std::optional<long long> stride;  // bytes between elements, if said
-  std::optional<int> target;        // 34962 vertices, 34963 indices
 };
 
 struct AccessorFacts {
@@ -35,6 +36,7 @@ struct AccessorFacts {
   long long offset = 0;  // bytes into its view
   bool normalized = false;
   bool has_bounds = false;
+  bool has_data = false;  // a view, or sparse values
   std::optional<std::size_t> view;
 };
 
@@ -48,14 +50,32 @@ class GltfCheckContext {
   // The index that a reference holds; fails if the collection has no such element.
   std::size_t resolve(const JsonCursor& reference, std::string_view collection) const;
 
+  // The elements of a list. An empty one is against glTF's schema but says nothing: noted.
+  std::vector<JsonCursor> listed(const JsonCursor& list) const;
+
   void note(const JsonCursor& where, const std::string& what) const;
+
+  // Notes what check() throws, followed by why: for what the picture does not hang on.
+  template <typename Check>
+  void note_if_wrong(const char* why, Check check) const {
+    try {
+      check();
+    } catch (const SceneError& caught) {
+      add_note(std::string(caught.what()) + " (" + why + ")");
+    }
+  }
+
+  bool uses(std::string_view extension) const;  // declared in extensionsUsed
 
   JsonCursor root;
   std::vector<ViewFacts> views;          // filled by check_buffer_views()
   std::vector<AccessorFacts> accessors;  // filled by check_accessors()
 
  private:
+  void add_note(std::string text) const;
+
   std::map<std::string, std::vector<JsonCursor>, std::less<>> collections_;
+  std::set<std::string, std::less<>> used_;  // extensions
   std::vector<std::string>& notes_;
 };
 
@@ -67,6 +87,7 @@ void check_asset(const GltfCheckContext& context);
 void check_extensions(const GltfCheckContext& context);
 void check_buffers(const GltfCheckContext& context, std::optional<std::size_t> binary_bytes);
 void check_buffer_views(GltfCheckContext& context);
+void check_meshopt(const GltfCheckContext& context, const JsonCursor& view, long long length);
 void check_accessors(GltfCheckContext& context);
 void check_textures(const GltfCheckContext& context);
 void check_materials(const GltfCheckContext& context);

@@ -37,18 +37,12 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   bool binary(binary_t&) override { throw SceneError("invalid JSON: binary value"); }
   bool start_object(std::size_t) override { return open(JsonValue::Kind::Object); }
   bool start_array(std::size_t) override { return open(JsonValue::Kind::Array); }
-  bool end_object() override { return close(); }
+  bool end_object() override {
+    refuse_repeated_names(open_.back()->members);
+    return close();
+  }
   bool end_array() override { return close(); }
   bool key(string_t& value) override {
-    const auto& members = open_.back()->members;
-    // Large objects are never ours; looking only at those keeps parsing linear.
-    constexpr std::size_t kMaxMembers = 1000;
-    if (members.size() >= kMaxMembers)
-      throw SceneError("invalid JSON: an object of over 1000 members");
-    for (const auto& member : members) {
-      if (member.first == value)
-        throw SceneError("invalid JSON: '" + value + "' occurs twice in an object");
-    }
     key_ = std::move(value);
     return true;
   }
@@ -58,6 +52,15 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   }
 
  private:
+  static void refuse_repeated_names(const std::vector<std::pair<std::string, JsonValue>>& members) {
+    std::vector<std::string_view> names;
+    for (const auto& member : members) names.push_back(member.first);
+    std::sort(names.begin(), names.end());
+    const auto twice = std::adjacent_find(names.begin(), names.end());
+    if (twice == names.end()) return;
+    throw SceneError("invalid JSON: '" + std::string(*twice) + "' occurs twice in an object");
+  }
+
   bool place_number(double value) {
     JsonValue made;
     made.kind = JsonValue::Kind::Number;
@@ -169,12 +172,6 @@ std::vector<JsonCursor> JsonCursor::items() const {
   for (std::size_t i = 0; i < value_->items.size(); ++i) {
     all.push_back(JsonCursor(value_->items[i], path_ + "[" + std::to_string(i) + "]"));
   }
-  return all;
-}
-
-std::vector<JsonCursor> JsonCursor::filled_items() const {
-  auto all = items();
-  if (all.empty()) fail("is empty; leave it out instead");
   return all;
 }
 

@@ -46,9 +46,8 @@ class JsonCursor {
   JsonCursor get(std::string_view name) const;  // fails if there is none
   std::vector<std::pair<std::string, JsonCursor>> members() const;
 
-  // Arrays. filled_items() also refuses an empty one, as the glTF schema does throughout.
+  // Arrays.
   std::vector<JsonCursor> items() const;
-  std::vector<JsonCursor> filled_items() const;
 
   // Scalars; bounds are inclusive.
   double number() const;

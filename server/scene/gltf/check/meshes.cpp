@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "scene/gltf/check/check_context.h"
@@ -7,16 +8,15 @@
 namespace amalgam::scene {
 namespace {
 
-constexpr int kVertices = 34962, kIndices = 34963;
-
 struct Semantic {
   std::string base;  // POSITION, TEXCOORD, ...
   int set = 0;       // n of TEXCOORD_n
 };
 
-Semantic parse_semantic(const JsonCursor& at, const std::string& name) {
+// Nothing for a name that is not glTF's.
+std::optional<Semantic> parse_semantic(const std::string& name) {
   for (const char* plain : {"POSITION", "NORMAL", "TANGENT"}) {
-    if (name == plain) return {name, 0};
+    if (name == plain) return Semantic{name, 0};
   }
   const std::size_t dash = name.find('_');
   if (dash != std::string::npos && dash > 0) {
@@ -26,27 +26,46 @@ Semantic parse_semantic(const JsonCursor& at, const std::string& name) {
         std::all_of(set.begin(), set.end(), [](char c) { return c >= '0' && c <= '9'; });
     if (digits &&
         (base == "TEXCOORD" || base == "COLOR" || base == "JOINTS" || base == "WEIGHTS")) {
-      return {base, std::stoi(set)};
+      return Semantic{base, std::stoi(set)};
     }
   }
-  at.fail("is not an attribute (names of one's own begin with an underscore)");
+  return std::nullopt;
 }
 
-bool is_format_allowed(const std::string& base, const AccessorFacts& accessor, bool morph) {
+// What KHR_mesh_quantization adds: 8 and 16 bits.
+bool is_quantized_format(const std::string& base, const AccessorFacts& accessor) {
+  if (accessor.component == kFloat || accessor.component == kUnsignedInt) return false;
+  const bool is_signed = accessor.component == kByte || accessor.component == kShort;
+  if (base == "POSITION") return accessor.type == "VEC3";
+  if (base == "TEXCOORD") return accessor.type == "VEC2";
+  if (base == "NORMAL") return accessor.type == "VEC3" && is_signed && accessor.normalized;
+  return base == "TANGENT" && accessor.type == "VEC4" && is_signed && accessor.normalized;
+}
+
+bool is_format_allowed(const std::string& base, const AccessorFacts& accessor) {
   const bool is_float = accessor.component == kFloat;
   const bool unorm = accessor.normalized &&
                      (accessor.component == kUnsignedByte || accessor.component == kUnsignedShort);
-  const bool snorm = accessor.normalized;
   const std::string& type = accessor.type;
   if (base == "POSITION" || base == "NORMAL") return type == "VEC3" && is_float;
-  if (base == "TANGENT") return type == (morph ? "VEC3" : "VEC4") && is_float;
-  if (base == "TEXCOORD") return type == "VEC2" && (is_float || unorm || (morph && snorm));
+  if (base == "TANGENT") return type == "VEC4" && is_float;
+  if (base == "TEXCOORD") return type == "VEC2" && (is_float || unorm);
   if (base == "COLOR") {
-    return (type == "VEC3" || type == "VEC4") && (is_float || unorm || (morph && snorm));
+    return (type == "VEC3" || type == "VEC4") && (is_float || unorm);
   }
-  if (base == "WEIGHTS") return type == "VEC4" && (is_float || unorm);
-  return type == "VEC4" && !accessor.normalized &&
-         (accessor.component == kUnsignedByte || accessor.component == kUnsignedShort);  // JOINTS
+  return true;  // JOINTS and WEIGHTS are not read
+}
+
+// What is read of a vertex.
+bool is_read(const std::string& name) {
+  const auto semantic = parse_semantic(name);
+  return semantic && semantic->base != "JOINTS" && semantic->base != "WEIGHTS" &&
+         (semantic->base != "COLOR" || semantic->set == 0);
+}
+
+bool is_draco(const JsonCursor& primitive) {
+  const auto extensions = primitive.find("extensions");
+  return extensions && extensions->find("KHR_draco_mesh_compression");
 }
 
 class MeshChecker {
@@ -55,14 +74,22 @@ class MeshChecker {
 
   void check_primitive(const JsonCursor& primitive) {
     const JsonCursor attributes = primitive.get("attributes");
+    is_compressed_ = is_draco(primitive);
+    if (is_compressed_) check_draco(primitive);
     const long long vertices = check_attributes(attributes);
     if (const auto indices = primitive.find("indices")) check_indices(*indices);
     if (const auto material = primitive.find("material")) context_.resolve(*material, "materials");
     if (const auto mode = primitive.find("mode")) mode->integer(0, 6);
     if (const auto targets = primitive.find("targets")) {
-      for (const JsonCursor& target : targets->filled_items()) {
-        check_morph_target(target, attributes, vertices);
-      }
+      context_.note(*targets, "morph targets ignored");
+      context_.note_if_wrong("morph targets are not used", [&] {
+        for (const JsonCursor& target : context_.listed(*targets)) {
+          for (const auto& [name, at] : target.members()) {
+            if (vertex_accessor(at).count != vertices)
+              at.fail("has another count than the base attributes");
+          }
+        }
+      });
     }
   }
 
@@ -70,46 +97,66 @@ class MeshChecker {
   // Returns the number of vertices, 0 without positions.
   long long check_attributes(const JsonCursor& attributes) {
     const auto members = attributes.members();
-    if (members.empty()) attributes.fail("is empty; leave the primitive out instead");
     std::optional<long long> vertices;
     std::map<std::string, std::set<int>> sets;
     for (const auto& [name, at] : members) {
+      if (!is_read(name)) {
+        check_unread(name, at);
+        continue;
+      }
       const AccessorFacts& accessor = vertex_accessor(at);
       if (vertices.value_or(accessor.count) != accessor.count) {
         at.fail("has another count than the primitive's other attributes");
       }
       vertices = accessor.count;
-      if (accessor.component == kUnsignedInt) at.fail("attributes cannot be unsigned int");
-      if (name.starts_with('_')) continue;
-      const Semantic semantic = parse_semantic(at, name);
-      if (!is_format_allowed(semantic.base, accessor, false)) {
-        at.fail("its accessor has a format that this attribute cannot have");
-      }
+      const Semantic semantic = *parse_semantic(name);
+      check_format(at, semantic.base, accessor);
       if (name == "POSITION" && !accessor.has_bounds)
         context_.note(at, "its accessor has no min and max");
       sets[semantic.base].insert(semantic.set);
     }
     for (const auto& [base, numbers] : sets) {
       if (*numbers.rbegin() != static_cast<int>(numbers.size()) - 1) {
-        attributes.fail(base + "_n are not numbered 0, 1, 2, ...");
+        context_.note(attributes, base + "_n are not numbered 0, 1, 2, ...");
       }
-    }
-    if (sets["JOINTS"].size() != sets["WEIGHTS"].size()) {
-      attributes.fail("has not as many WEIGHTS_n as JOINTS_n");
     }
     if (!sets.contains("POSITION")) context_.note(attributes, "has no POSITION; not drawn");
     return vertices.value_or(0);
   }
 
+  void check_format(const JsonCursor& at, const std::string& base, const AccessorFacts& accessor) {
+    if (is_format_allowed(base, accessor)) return;
+    if (!is_quantized_format(base, accessor))
+      at.fail("its accessor has a format that this attribute cannot have");
+    if (!context_.uses("KHR_mesh_quantization"))
+      context_.note(at, "has a format of KHR_mesh_quantization, which is not declared");
+  }
+
+  void check_unread(const std::string& name, const JsonCursor& at) {
+    if (!name.starts_with('_') && !parse_semantic(name)) {
+      context_.note(at, "is not an attribute (names of one's own begin with an underscore)");
+    }
+    context_.note_if_wrong("not used", [&] { vertex_accessor(at); });
+  }
+
+  void check_draco(const JsonCursor& primitive) {
+    const JsonCursor draco = primitive.get("extensions").get("KHR_draco_mesh_compression");
+    context_.resolve(draco.get("bufferView"), "bufferViews");
+    for (const auto& [name, id] : draco.get("attributes").members()) id.integer(0, 65535);
+  }
+
   const AccessorFacts& vertex_accessor(const JsonCursor& at) {
     const AccessorFacts& accessor = context_.accessors[context_.resolve(at, "accessors")];
+    constexpr long long kMaxZeros = 1'000'000;
+    if (!accessor.view && !is_compressed_ && accessor.count > kMaxZeros) {
+      at.fail("has more than a million elements and no data");
+    }
     if (accessor.view) {
-      use_view(at, *accessor.view, kVertices);
       const ViewFacts& view = context_.views[*accessor.view];
       const long long element = static_cast<long long>(component_bytes(accessor.component)) *
                                 component_count(accessor.type);
       if (accessor.offset % 4 != 0 || view.stride.value_or(element) % 4 != 0) {
-        at.fail("vertex data are not aligned to 4 bytes");
+        context_.note(at, "vertex data are not aligned to 4 bytes");
       }
     }
     return accessor;
@@ -123,36 +170,16 @@ class MeshChecker {
     if (accessor.type != "SCALAR" || !is_unsigned || accessor.normalized) {
       at.fail("indices are not unsigned integers");
     }
-    if (!accessor.view) return;
-    if (context_.views[*accessor.view].stride) at.fail("indices cannot have a byteStride");
-    use_view(at, *accessor.view, kIndices);
-  }
-
-  void check_morph_target(const JsonCursor& target, const JsonCursor& attributes,
-                          long long vertices) {
-    for (const auto& [name, at] : target.members()) {
-      const AccessorFacts& accessor = vertex_accessor(at);
-      if (accessor.count != vertices) at.fail("has another count than the base attributes");
-      if (name.starts_with('_')) continue;
-      if (!attributes.find(name)) at.fail("has no base attribute");
-      if (!is_format_allowed(parse_semantic(at, name).base, accessor, true)) {
-        at.fail("its accessor has a format that this attribute cannot have");
-      }
-      if (name == "POSITION" && !accessor.has_bounds)
-        context_.note(at, "its accessor has no min and max");
+    constexpr long long kMaxZeros = 1'000'000;
+    if (!accessor.view && !is_compressed_ && accessor.count > kMaxZeros) {
+      at.fail("has more than a million elements and no data");
     }
-  }
-
-  // A view may hold vertices or indices, never both.
-  void use_view(const JsonCursor& at, std::size_t view, int target) {
-    const int said = context_.views[view].target.value_or(target);
-    const int used = use_.emplace(view, target).first->second;
-    if (said != target || used != target)
-      at.fail("its bufferView is for vertices and indices both");
+    if (accessor.view && context_.views[*accessor.view].stride)
+      context_.note(at, "indices cannot have a byteStride");
   }
 
   const GltfCheckContext& context_;
-  std::map<std::size_t, int> use_;
+  bool is_compressed_ = false;  // the primitive's data are in a Draco block
 };
 
 std::size_t target_count(const JsonCursor& primitive) {
@@ -160,23 +187,29 @@ std::size_t target_count(const JsonCursor& primitive) {
   return targets ? targets->items().size() : 0;
 }
 
+void check_targets(const JsonCursor& mesh, const std::vector<JsonCursor>& primitives) {
+  for (const JsonCursor& primitive : primitives) {
+    if (target_count(primitive) != target_count(primitives.front())) {
+      primitive.fail("has not as many morph targets as the mesh's first primitive");
+    }
+  }
+  const auto weights = mesh.find("weights");
+  if (!weights) return;
+  if (primitives.empty() || weights->items().size() != target_count(primitives.front())) {
+    weights->fail("has not as many numbers as there are morph targets");
+  }
+}
+
 }  // namespace
 
 void check_meshes(const GltfCheckContext& context) {
   MeshChecker checker(context);
   for (const JsonCursor& mesh : context.all("meshes")) {
-    const auto primitives = mesh.get("primitives").filled_items();
+    const auto primitives = context.listed(mesh.get("primitives"));
     for (const JsonCursor& primitive : primitives) {
       checker.check_primitive(primitive);
-      if (target_count(primitive) != target_count(primitives.front())) {
-        primitive.fail("has not as many morph targets as the mesh's first primitive");
-      }
     }
-    if (const auto weights = mesh.find("weights")) {
-      if (weights->filled_items().size() != target_count(primitives.front())) {
-        weights->fail("has not as many numbers as there are morph targets");
-      }
-    }
+    context.note_if_wrong("morph targets are not used", [&] { check_targets(mesh, primitives); });
   }
 }
 

@@ -20,7 +20,7 @@ std::vector<std::size_t> find_parents(const GltfCheckContext& context) {
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const auto children = nodes[i].find("children");
     if (!children) continue;
-    for (const JsonCursor& at : children->filled_items()) {
+    for (const JsonCursor& at : context.listed(*children)) {
       const std::size_t child = context.resolve(at, "nodes");
       if (parents[child] != kNone) at.fail("node " + std::to_string(child) + " has two parents");
       parents[child] = i;
@@ -36,7 +36,7 @@ std::vector<std::size_t> find_parents(const GltfCheckContext& context) {
   return parents;
 }
 
-void check_transform(const JsonCursor& node) {
+void check_transform(const GltfCheckContext& context, const JsonCursor& node) {
   const auto matrix = node.find("matrix");
   for (const char* name : {"translation", "rotation", "scale"}) {
     const auto part = node.find(name);
@@ -44,35 +44,50 @@ void check_transform(const JsonCursor& node) {
   }
   if (matrix) {
     const auto m = matrix->numbers(16);
-    if (m[3] != 0.0 || m[7] != 0.0 || m[11] != 0.0 || m[15] != 1.0) {
-      matrix->fail("its last row is not 0 0 0 1");
-    }
+    constexpr double kRounding = 1e-5;
+    const double error =
+        std::max({std::abs(m[3]), std::abs(m[7]), std::abs(m[11]), std::abs(m[15] - 1.0)});
+    if (!(error <= kRounding)) matrix->fail("its last row is not 0 0 0 1");
+    if (error > 0.0) context.note(*matrix, "its last row is not quite 0 0 0 1");
   }
   if (const auto translation = node.find("translation")) translation->numbers(3);
   if (const auto scale = node.find("scale")) scale->numbers(3);
   if (const auto rotation = node.find("rotation")) {
     const auto q = rotation->numbers(4);
     const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-    constexpr double kMaxError = 0.01;  // three decimal digits are as good as it gets by hand
+    // Three decimal digits are as good as it gets by hand. A quaternion that is further off may
+    // mean another matrix.
+    constexpr double kHand = 0.01, kMaxError = 0.1;
     if (!(std::abs(length - 1.0) <= kMaxError)) rotation->fail("is not a unit quaternion");
+    if (std::abs(length - 1.0) > kHand) context.note(*rotation, "brought to length 1");
   }
 }
 
-void check_mesh_use(const GltfCheckContext& context, const JsonCursor& node) {
-  const auto mesh = node.find("mesh"), skin = node.find("skin"), weights = node.find("weights");
+void check_deformation(const GltfCheckContext& context, const std::optional<JsonCursor>& mesh,
+                       const std::optional<JsonCursor>& skin,
+                       const std::optional<JsonCursor>& weights) {
   if (skin) context.resolve(*skin, "skins");
   if (skin && !mesh) skin->fail("needs a mesh");
   if (weights && !mesh) weights->fail("needs a mesh");
   if (!mesh) return;
   const JsonCursor& used = context.all("meshes")[context.resolve(*mesh, "meshes")];
-  const JsonCursor first = used.get("primitives").items().front();
+  const auto primitives = used.get("primitives").items();
+  if (primitives.empty()) return;
+  const JsonCursor& first = primitives.front();
   if (skin && !first.get("attributes").find("JOINTS_0")) skin->fail("its mesh has no JOINTS_0");
   if (weights) {
     const auto targets = first.find("targets");
-    if (weights->filled_items().size() != (targets ? targets->items().size() : 0)) {
+    if (weights->items().size() != (targets ? targets->items().size() : 0)) {
       weights->fail("has not as many numbers as the mesh has morph targets");
     }
   }
+}
+
+void check_mesh_use(const GltfCheckContext& context, const JsonCursor& node) {
+  const auto mesh = node.find("mesh"), skin = node.find("skin"), weights = node.find("weights");
+  if (mesh) context.resolve(*mesh, "meshes");
+  context.note_if_wrong("skins and morph targets are not used",
+                        [&] { check_deformation(context, mesh, skin, weights); });
 }
 
 void check_scenes(const GltfCheckContext& context, const std::vector<std::size_t>& parents) {
@@ -80,7 +95,7 @@ void check_scenes(const GltfCheckContext& context, const std::vector<std::size_t
     const auto nodes = scene.find("nodes");
     if (!nodes) continue;
     std::set<std::size_t> seen;
-    for (const JsonCursor& at : nodes->filled_items()) {
+    for (const JsonCursor& at : context.listed(*nodes)) {
       const std::size_t node = context.resolve(at, "nodes");
       if (parents[node] != kNone) at.fail("node " + std::to_string(node) + " is not a root node");
       if (!seen.insert(node).second) at.fail("node " + std::to_string(node) + " occurs twice");
@@ -101,8 +116,10 @@ void check_nodes(const GltfCheckContext& context) {
   const auto parents = find_parents(context);
   for (const JsonCursor& node : context.all("nodes")) {
     if (const auto name = node.find("name")) name->string();
-    if (const auto camera = node.find("camera")) context.resolve(*camera, "cameras");
-    check_transform(node);
+    if (const auto camera = node.find("camera")) {
+      context.note_if_wrong("cameras are not used", [&] { context.resolve(*camera, "cameras"); });
+    }
+    check_transform(context, node);
     check_mesh_use(context, node);
   }
   check_scenes(context, parents);
@@ -112,10 +129,11 @@ void check_skins(const GltfCheckContext& context) {
   const auto parents = find_parents(context);
   for (const JsonCursor& skin : context.all("skins")) {
     std::set<std::size_t> joints;
-    for (const JsonCursor& at : skin.get("joints").filled_items()) {
+    for (const JsonCursor& at : context.listed(skin.get("joints"))) {
       const std::size_t joint = context.resolve(at, "nodes");
       if (!joints.insert(joint).second) at.fail("occurs twice");
     }
+    if (joints.empty()) continue;
     const std::size_t root = ancestors(parents, *joints.begin()).back();
     const auto skeleton = skin.find("skeleton");
     const std::size_t above = skeleton ? context.resolve(*skeleton, "nodes") : root;
