@@ -141,13 +141,14 @@ class FrameService {
   virtual ~FrameService() = default;
 
   // Called on the render thread when a frame is done; must be quick and must not throw.
-  using Deliver = std::function<void(std::uint64_t frame_id, FrameResult result)>;
+  using Deliver = std::function<void(std::uint64_t ticket, FrameResult result)>;
 
   // Throws std::invalid_argument if common::describe_defect(options.camera) is not empty.
   virtual ViewId open_view(const ViewOptions& options, Deliver deliver) = 0;
 
-  // Returns true if it replaced a waiting frame, which will never be delivered.
-  virtual bool submit(ViewId view, std::uint64_t frame_id, FrameInput input) = 0;
+  // Returns true if it replaced a waiting frame, which will never be delivered. The ticket means
+  // nothing here; it comes back with the result.
+  virtual bool submit(ViewId view, std::uint64_t ticket, FrameInput input) = 0;
 
   // After this returns, deliver is never called again for the view.
   virtual void close_view(ViewId view) = 0;

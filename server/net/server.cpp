@@ -13,10 +13,10 @@
 
 #include "common/log.h"
 #include "net/admin.h"
+#include "net/connection.h"
 #include "net/connection_limits.h"
 #include "net/listener.h"
 #include "net/metrics.h"
-#include "net/session.h"
 #include "net/state_page.h"
 
 namespace amalgam::net {
@@ -52,8 +52,7 @@ class Server::Impl {
     listener_.listen();  // here, so that the caller can tell the world, or learns that it failed
     asio::post(io_, [this, &service] {
       if (phase_ != Phase::Loading) return;
-      context_.emplace(SessionContext{config_, service, metrics_,
-                                      [this](std::uint64_t session) { on_end(session); }});
+      context_.emplace(ServerContext{config_, service, metrics_});
       listener_.start();
       phase_ = Phase::Serving;
     });
@@ -83,7 +82,8 @@ class Server::Impl {
   void admit(asio::ip::tcp::socket socket, ConnectionLimits::Ticket ticket) {
     const std::uint64_t id = ++last_session_;
     const auto session =
-        std::make_shared<Session>(std::move(socket), std::move(ticket), id, *context_);
+        std::make_shared<Connection>(std::move(socket), std::move(ticket), id, *context_,
+                                     [this](std::uint64_t ended) { on_end(ended); });
     sessions_.emplace(id, session);
     session->start();
   }
@@ -133,8 +133,8 @@ class Server::Impl {
     for (const auto& session : copy_of_sessions()) session->end();
   }
 
-  std::vector<std::shared_ptr<Session>> copy_of_sessions() const {
-    std::vector<std::shared_ptr<Session>> copy;
+  std::vector<std::shared_ptr<Connection>> copy_of_sessions() const {
+    std::vector<std::shared_ptr<Connection>> copy;
     for (const auto& [id, session] : sessions_) copy.push_back(session);
     return copy;
   }
@@ -166,12 +166,12 @@ class Server::Impl {
   ServerConfig config_;
   Metrics metrics_;
   ConnectionLimits limits_;
-  std::optional<SessionContext> context_;
+  std::optional<ServerContext> context_;
   Clock::time_point started_ = Clock::now();
   Phase phase_ = Phase::Loading;
   std::uint64_t last_session_ = 0;
   asio::io_context io_{1};  // one thread: no locks on sockets
-  std::map<std::uint64_t, std::shared_ptr<Session>> sessions_;
+  std::map<std::uint64_t, std::shared_ptr<Connection>> sessions_;
   Admin admin_;
   Listener listener_;
   asio::signal_set signals_;

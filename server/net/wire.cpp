@@ -188,9 +188,18 @@ protocol::Quality quality_from(const frame::FrameQuality& chosen) {
 
 }  // namespace
 
-protocol::Composite composite_from(const frame::FrameOutput& output) {
+protocol::Envelope composite_message(const Answer& answer, std::uint64_t skipped) {
+  const frame::FrameOutput& output = answer.output;
   const frame::FrameStatistics& statistics = output.statistics;
-  protocol::Composite composite;
+  protocol::Envelope envelope;
+  protocol::Composite& composite = *envelope.mutable_composite();
+  composite.set_frame_id(answer.frame.frame_id);
+  composite.set_capture_time_us(answer.frame.capture_time_us);
+  composite.set_server_ms(answer.server_ms);
+  composite.set_skipped(skipped);
+  for (const common::MarkerPose& pose : answer.frame.poses) {
+    *composite.add_poses() = protocol::to_message(pose);
+  }
   composite.set_jpeg(output.jpeg.data(), output.jpeg.size());
   composite.set_unchanged(output.unchanged);
   for (const core::StageTime& time : statistics.stages) {
@@ -219,7 +228,7 @@ protocol::Composite composite_from(const frame::FrameOutput& output) {
   composite.mutable_truncation_bound()->set_mean(statistics.truncation_bound.mean);
   composite.mutable_truncation_bound()->set_worst(statistics.truncation_bound.worst);
   if (statistics.quality) *composite.mutable_quality() = quality_from(*statistics.quality);
-  return composite;
+  return envelope;
 }
 
 }  // namespace amalgam::net

@@ -10,6 +10,7 @@
 
 #include "common/pose.h"
 #include "frame/frame.h"
+#include "net/answer.h"
 #include "net/client_error.h"
 #include "net/server_config.h"
 #include "protocol/amalgam.pb.h"
@@ -43,7 +44,7 @@ protocol::Envelope error_message(const ClientError& error);
 // The error of a frame with unusable poses of these markers.
 ClientError poses_rejected(const std::vector<int>& markers, std::uint64_t frame_id);
 
-// Without the fields that the session fills: ids, times, poses and skipped frames.
-protocol::Composite composite_from(const frame::FrameOutput& output);
+// skipped: frames of the session that will never be answered, so far.
+protocol::Envelope composite_message(const Answer& answer, std::uint64_t skipped);
 
 }  // namespace amalgam::net

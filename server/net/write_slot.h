@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "net/answer.h"
 #include "protocol/amalgam.pb.h"
 
 namespace amalgam::net {
@@ -20,7 +21,7 @@ class WriteSlot {
   bool put_control(const protocol::Envelope& message);
 
   // True if a waiting composite has been replaced and will never be written.
-  bool put_composite(protocol::Composite composite);
+  bool put_answer(Answer answer);
 
   // Takes the next message, if there is one and no write is in flight, and begins its write.
   // Control messages go first: they are small, and an Error should not wait behind an image. A
@@ -31,18 +32,18 @@ class WriteSlot {
   // Drops the waiting control messages, to make room for a last Error.
   void drop_control() { control_.clear(); }
   // Drops the waiting composite; true if there was one.
-  bool drop_composite();
+  bool drop_answer();
 
   bool writing() const { return writing_ != Writing::Nothing; }
-  bool writing_composite() const { return writing_ == Writing::Composite; }
-  bool empty() const { return !writing() && control_.empty() && !composite_; }
+  bool writing_answer() const { return writing_ == Writing::Answer; }
+  bool empty() const { return !writing() && control_.empty() && !answer_; }
 
  private:
-  enum class Writing { Nothing, Control, Composite };
+  enum class Writing { Nothing, Control, Answer };
 
   std::size_t max_control_;
   std::deque<std::string> control_;
-  std::optional<protocol::Composite> composite_;
+  std::optional<Answer> answer_;
   Writing writing_ = Writing::Nothing;
 };
 

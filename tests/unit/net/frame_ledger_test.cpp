@@ -7,7 +7,7 @@ namespace {
 
 FrameLedger::Entry entry(std::uint64_t number) {
   FrameLedger::Entry entry;
-  entry.number = number;
+  entry.ticket = number;
   entry.frame_id = 100 + number;
   return entry;
 }

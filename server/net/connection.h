@@ -1,0 +1,94 @@
+// The connection that carries one client's conversation: reads and frames bytes, has one write in
+// flight, keeps the deadlines, and lingers at the end so that the last words arrive. Runs on the
+// network thread.
+#pragma once
+
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "net/connection_limits.h"
+#include "net/conversation.h"
+#include "net/deadlines.h"
+#include "net/write_slot.h"
+#include "protocol/framing.h"
+
+namespace amalgam::net {
+
+class Connection : public std::enable_shared_from_this<Connection>, private Line {
+ public:
+  // Called exactly once, at the end.
+  using OnEnd = std::function<void(std::uint64_t id)>;
+
+  Connection(boost::asio::ip::tcp::socket socket, ConnectionLimits::Ticket ticket, std::uint64_t id,
+             ServerContext& context, OnEnd on_end);
+
+  void start();
+  // Accepts no more frames, answers those in flight, then ends.
+  void drain(std::chrono::milliseconds deadline);
+  // Ends at once.
+  void end();
+  SessionReport report() const { return conversation_.report(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  using ErrorCode = boost::system::error_code;
+  enum class State { Open, Closing, Ended };  // in this order only
+
+  // The conversation's line.
+  void send(const protocol::Envelope& message) override;
+  bool send_answer(Answer answer) override;
+  void send_last(const protocol::Envelope& error) override;
+  void welcomed() override;
+  void close() override;
+  std::function<void(Step)> posting() override;
+
+  void read();
+  void on_read(const ErrorCode& ec, std::size_t size);
+  void take(std::span<const std::byte> input);
+
+  void write();
+  void on_written(const ErrorCode& ec, std::size_t size);
+  void finish_sending();
+  void close_if_drained();
+
+  void wait();
+  void on_time(const ErrorCode& ec);
+  void on_passed(Deadlines::Passed passed);
+
+  template <typename F>
+  void guarded(F step);
+  void fail(protocol::Error::Code code, const std::string& text) {
+    conversation_.answer(ClientError(code, text));
+  }
+  void lost(const ErrorCode& ec, const char* what);
+
+  boost::asio::ip::tcp::socket socket_;
+  boost::asio::steady_timer timer_;
+  std::optional<ConnectionLimits::Ticket> ticket_;
+  ServerContext& context_;
+  std::uint64_t id_;
+  OnEnd on_end_;
+
+  State state_ = State::Open;
+  Deadlines deadlines_;
+  Clock::time_point linger_end_{};
+  std::uint64_t pings_ = 0;
+
+  std::vector<std::byte> read_buffer_;
+  protocol::Decoder decoder_;
+  WriteSlot slot_;
+  std::string writing_;
+
+  Conversation conversation_;  // last: ends first, and says so to the renderer
+};
+
+}  // namespace amalgam::net
