@@ -62,7 +62,8 @@ void Link::connect(const asio::ip::tcp::resolver::results_type& endpoints) {
                         if (self->state_ != State::Connecting) return;
                         self->state_ = State::AwaitingWelcome;
                         common::set_tcp_options(self->socket_.native_handle(),
-                                                {protocol::kIdleTimeout, protocol::kUnsentBytes});
+                                                {.user_timeout = protocol::kIdleTimeout,
+                                                 .unsent_bytes = protocol::kUnsentBytes});
                         self->write(std::move(self->hello_));
                         self->read();
                       });

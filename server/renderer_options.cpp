@@ -66,7 +66,13 @@ void add_renderer_options(CLI::App& app, frame::RendererSettings& settings) {
   app.add_option_function<float>(
          names::kExposure, [&settings](const float& exposure) { settings.exposure = exposure; },
          "fixed exposure (factor on scene-linear light); without it, metered on the real surfaces")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Validator(
+          [](const std::string& text) {
+            float value = 0.0f;
+            const bool good = CLI::detail::lexical_cast(text, value) && value > 0.0f;
+            return good ? std::string() : "'" + text + "' is not a number above 0";
+          },
+          ""));
   app.add_option(names::kRenderScale, settings.render_scale,
                  "(0, 1]: pixels that virtual things are rendered in for each of the camera's, on "
                  "each axis; the camera image keeps all of its own")
@@ -82,7 +88,7 @@ void add_renderer_options(CLI::App& app, frame::RendererSettings& settings) {
   app.add_option(names::kThreads, settings.threads,
                  "threads for rendering; 0: one for each core that this process may use, which "
                  "affinity and a container's CPU quota may lessen")
-      ->check(CLI::NonNegativeNumber)
+      ->check(CLI::Range(0, 4096))
       ->capture_default_str();
 }
 

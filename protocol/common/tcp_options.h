@@ -9,6 +9,7 @@ namespace amalgam::common {
 struct TcpOptions {
   std::chrono::milliseconds user_timeout{0};  // without an acknowledgement for this long: broken
   int unsent_bytes = 0;                       // unsent bytes that the kernel may buffer
+  int send_buffer_bytes = 0;                  // unsent and unacknowledged ones; 0: the kernel's choice
 };
 
 // Best effort: ignores options that the kernel lacks. socket: a file descriptor.

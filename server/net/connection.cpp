@@ -1,13 +1,17 @@
 #include "net/connection.h"
 
+#include <array>
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/error.hpp>
 #include <boost/asio/post.hpp>
-#include <boost/asio/write.hpp>
+#include <boost/asio/read.hpp>
 #include <utility>
 
 #include "common/log.h"
 #include "common/tcp_options.h"
+#include "net/address_key.h"
+#include "net/proxy_header.h"
+#include "net/quietly.h"
 #include "net/wire.h"
 #include "protocol/limits.h"
 
@@ -19,46 +23,125 @@ using protocol::Error;
 
 namespace {
 
-// Address and port of the other end, for logs.
+// Between two looks at an incomplete PROXY header.
+constexpr std::chrono::milliseconds kProxyPause{20};
+
+// For logs.
+std::string text_of(const asio::ip::tcp::endpoint& endpoint) {
+  return to_string(common::HostPort{endpoint.address().to_string(), endpoint.port()});
+}
+
 std::string peer_of(const asio::ip::tcp::socket& socket) {
   boost::system::error_code ec;
   const auto endpoint = socket.remote_endpoint(ec);
-  return ec ? "unknown"
-            : to_string(common::HostPort{endpoint.address().to_string(), endpoint.port()});
+  return ec ? "unknown" : text_of(endpoint);
 }
 
 }  // namespace
 
-Connection::Connection(asio::ip::tcp::socket socket, ConnectionLimits::Ticket ticket,
-                       std::uint64_t id, ServerContext& context, OnEnd on_end)
-    : socket_(std::move(socket)),
-      timer_(socket_.get_executor()),
+Connection::Connection(asio::ip::tcp::socket socket, ConnectionLimits::Ticket ticket, bool by_proxy,
+                       std::uint64_t id, Shared& shared, OnEnd on_end)
+    : stream_(std::move(socket)),
+      timer_(stream_.socket().get_executor()),
       ticket_(std::move(ticket)),
-      context_(context),
+      by_proxy_(by_proxy),
+      tls_(shared.tls),
+      shared_(shared),
+      context_(shared.context),
       id_(id),
       on_end_(std::move(on_end)),
-      deadlines_(context.config.session, Clock::now()),
+      deadlines_(context_.config.session, Clock::now()),
       read_buffer_(protocol::kMaxBeforeHelloBytes),
       decoder_(protocol::limits_before_hello()),
       slot_(protocol::kMaxQueuedControl),
-      conversation_(id, peer_of(socket_), *this, context) {}
+      conversation_(id, peer_of(stream_.socket()), *this, context_) {}
 
 void Connection::start() {
-  common::set_tcp_options(socket_.native_handle(),
-                          {context_.config.session.idle_timeout, protocol::kUnsentBytes});
+  common::set_tcp_options(stream_.socket().native_handle(),
+                          {.user_timeout = context_.config.session.idle_timeout,
+                           .unsent_bytes = protocol::kUnsentBytes,
+                           .send_buffer_bytes = protocol::kSendBufferBytes});
   guarded([&] {
     wait();
-    read();
+    by_proxy_ ? read_proxy_header() : secure();
+  });
+}
+
+// --- before the conversation ---
+
+// Looked at before it is taken, so that nothing behind the header is taken with it.
+void Connection::read_proxy_header() {
+  stream_.socket().async_wait(asio::ip::tcp::socket::wait_read,
+                              [self = shared_from_this()](const ErrorCode& ec) {
+                                self->guarded([&] { self->on_proxy_bytes(ec); });
+                              });
+}
+
+void Connection::on_proxy_bytes(const ErrorCode& failed) {
+  if (state_ == State::Ended) return;
+  if (failed) return lost(failed, "read");
+  ErrorCode ec;
+  std::array<std::byte, kMaxProxyHeaderBytes> bytes;
+  const std::size_t size =
+      stream_.socket().receive(asio::buffer(bytes), asio::ip::tcp::socket::message_peek, ec);
+  if (ec) return lost(ec, "read");
+  const auto parsed = parse_proxy_header(std::span(bytes).first(size));
+  if (const auto* defect = std::get_if<ProxyDefect>(&parsed)) {
+    return fail(Error::PROTOCOL_ERROR, defect->what);
+  }
+  if (std::holds_alternative<ProxyNeedsMore>(parsed)) return wait_for_proxy();
+  const auto& header = std::get<ProxyHeader>(parsed);
+  asio::read(stream_.socket(), asio::buffer(bytes, header.bytes), ec);
+  if (ec) return lost(ec, "read");
+  if (header.client && !is_admitted(*header.client)) return;
+  secure();
+}
+
+// A header comes in one packet, or its sender may take its time: readiness would be told again and
+// again for what is there already.
+void Connection::wait_for_proxy() {
+  proxy_timer_.expires_after(kProxyPause);
+  proxy_timer_.async_wait([self = shared_from_this()](const ErrorCode& ec) {
+    if (!ec && self->state_ == State::Open) self->guarded([&] { self->read_proxy_header(); });
+  });
+}
+
+// From here on the connection counts as that of the client.
+bool Connection::is_admitted(const asio::ip::tcp::endpoint& client) {
+  const std::string key = address_key(client.address());
+  conversation_.set_peer(text_of(client));
+  if (const auto left = shared_.back_off.left(key, Clock::now()); left.count() > 0) {
+    context_.metrics.refused("back_off");
+    send_last(busy_message(left, "too many wrong tokens"));
+    return false;
+  }
+  if (const auto refusal = shared_.limits.move(*ticket_, key)) {
+    context_.metrics.refused(to_string(*refusal));
+    send_last(busy_message(protocol::kRetryAfter, "too many connections"));
+    return false;
+  }
+  return true;
+}
+
+void Connection::secure() {
+  if (!tls_) return read();
+  stream_.handshake(tls_, [self = shared_from_this()](const ErrorCode& ec) {
+    self->guarded([&] {
+      if (self->state_ == State::Ended) return;
+      if (ec) return self->lost(ec, "TLS");
+      self->secured_ = true;
+      self->read();
+    });
   });
 }
 
 // --- reading ---
 
 void Connection::read() {
-  socket_.async_read_some(asio::buffer(read_buffer_),
-                          [self = shared_from_this()](const ErrorCode& ec, std::size_t size) {
-                            self->guarded([&] { self->on_read(ec, size); });
-                          });
+  stream_.read_some(asio::buffer(read_buffer_),
+                    [self = shared_from_this()](const ErrorCode& ec, std::size_t size) {
+                      self->guarded([&] { self->on_read(ec, size); });
+                    });
 }
 
 void Connection::on_read(const ErrorCode& ec, std::size_t size) {
@@ -78,7 +161,13 @@ void Connection::take(std::span<const std::byte> input) {
       return fail(Error::PROTOCOL_ERROR, failure->what);
     }
     deadlines_.received_message(Clock::now());
-    guarded([&] { conversation_.visit(std::get<Envelope>(result)); });
+    guarded([&] {
+      if (const auto* refused = std::get_if<protocol::Decoder::TooManyPoses>(&result)) {
+        conversation_.refuse_poses(refused->frame_id, refused->message_bytes);
+      } else {
+        conversation_.visit(std::get<Envelope>(result));
+      }
+    });
   }
   deadlines_.received_part(decoder_.bytes_of_unfinished(), Clock::now());
 }
@@ -99,21 +188,38 @@ bool Connection::send_answer(Answer answer) {
   return replaced;
 }
 
-void Connection::send_last(const Envelope& error) {
+void Connection::send_last(const Envelope& message) {
   slot_.drop_control();
-  send(error);
+  send(message);
   close();
 }
 
 void Connection::write() {
-  std::optional<std::string> bytes = slot_.begin_write(conversation_.skipped());
+  // Before the handshake is over nothing can be said: the client would take it for TLS.
+  if (tls_ && !secured_) return;
+  const bool may_answer = unread_.size() < protocol::kMaxUnreadComposites;
+  std::optional<std::string> bytes = slot_.begin_write(conversation_.skipped(), may_answer);
   if (!bytes) return;
   writing_ = std::move(*bytes);
+  if (slot_.writing_answer()) append_ping();
   deadlines_.write_begun(Clock::now());
-  asio::async_write(socket_, asio::buffer(writing_),
-                    [self = shared_from_this()](const ErrorCode& ec, std::size_t size) {
-                      self->guarded([&] { self->on_written(ec, size); });
-                    });
+  stream_.write(asio::buffer(writing_),
+                [self = shared_from_this()](const ErrorCode& ec, std::size_t size) {
+                  self->guarded([&] { self->on_written(ec, size); });
+                });
+}
+
+// The pong will tell that the composite was read, wherever buffers are between us and the reader.
+void Connection::append_ping() {
+  writing_ += protocol::encode(ping_message(++pings_));
+  unread_.push_back({pings_, Clock::now()});
+  deadlines_.unread_since(unread_.front().written);
+}
+
+void Connection::heard_pong(std::uint64_t nonce) {
+  while (!unread_.empty() && unread_.front().nonce <= nonce) unread_.pop_front();
+  deadlines_.unread_since(unread_.empty() ? std::nullopt : std::optional(unread_.front().written));
+  write();
 }
 
 void Connection::on_written(const ErrorCode& ec, std::size_t size) {
@@ -121,6 +227,7 @@ void Connection::on_written(const ErrorCode& ec, std::size_t size) {
   if (ec) return lost(ec, "write");
   if (slot_.writing_answer()) conversation_.written(size);
   slot_.end_write();
+  writing_ = std::string();  // it may have been an image
   deadlines_.write_ended();
   write();
   if (state_ == State::Closing) finish_sending();
@@ -158,7 +265,8 @@ void Connection::on_passed(Deadlines::Passed passed) {
     case Deadlines::Passed::SlowReader:
       // Nothing can be said to somebody who does not read.
       context_.metrics.error_sent(Error::SLOW_READER);
-      common::log_info(conversation_.name() + ": evicted, it does not read");
+      common::log_info(common::LogKind::Session,
+                       conversation_.name() + ": evicted, it does not read");
       return end();
     case Deadlines::Passed::Idle:
       fail(Error::IDLE_TIMEOUT, "nothing was heard, not even a pong");
@@ -171,14 +279,19 @@ void Connection::on_passed(Deadlines::Passed passed) {
 
 void Connection::welcomed() {
   ticket_->authenticated();
+  shared_.back_off.succeeded(ticket_->address());
   decoder_.set_limits(protocol::limits_of_server());
   deadlines_.authenticated(Clock::now());
   wait();
 }
 
+void Connection::refused() {
+  shared_.back_off.failed(ticket_->address(), Clock::now());
+}
+
 // Steps come from the renderer's thread, and the connection may have ended by then.
 std::function<void(Line::Step)> Connection::posting() {
-  return [executor = socket_.get_executor(), weak = weak_from_this()](Step step) {
+  return [executor = stream_.socket().get_executor(), weak = weak_from_this()](Step step) {
     asio::post(executor, [weak, step = std::move(step)] {
       const auto self = weak.lock();
       if (!self) return;
@@ -203,7 +316,9 @@ void Connection::guarded(F step) {
       conversation_.answer(error);
     }
   } catch (const std::exception& error) {
-    common::log_error(conversation_.name() + ": " + error.what());
+    quietly([&] {
+      common::log_error(common::LogKind::Session, conversation_.name() + ": " + error.what());
+    });
     end();
   }
 }
@@ -219,8 +334,7 @@ void Connection::close() {
 }
 
 void Connection::finish_sending() {
-  ErrorCode ignored;
-  if (slot_.empty()) socket_.shutdown(asio::ip::tcp::socket::shutdown_send, ignored);
+  if (slot_.empty()) stream_.finish_sending();
 }
 
 void Connection::drain(std::chrono::milliseconds deadline) {
@@ -234,20 +348,24 @@ void Connection::close_if_drained() {
   if (state_ == State::Open && conversation_.drained() && slot_.empty()) close();
 }
 
+// Must work when memory is missing: nothing here allocates, or it does not matter if it fails.
 void Connection::end() {
   if (std::exchange(state_, State::Ended) == State::Ended) return;
-  if (slot_.drop_answer()) conversation_.dropped();
-  conversation_.leave();
-  ErrorCode ignored;
-  socket_.close(ignored);
-  timer_.cancel();
+  quietly([&] {
+    if (slot_.drop_answer()) conversation_.dropped();
+    conversation_.leave();
+  });
+  stream_.close();
+  quietly([&] { timer_.cancel(); });
+  quietly([&] { proxy_timer_.cancel(); });
   ticket_.reset();
   on_end_(id_);
 }
 
 void Connection::lost(const ErrorCode& ec, const char* what) {
   if (state_ != State::Closing) {
-    common::log_info(conversation_.name() + ": " + what + ": " + ec.message());
+    common::log_info(common::LogKind::Session,
+                     conversation_.name() + ": " + what + ": " + ec.message());
   }
   end();
 }

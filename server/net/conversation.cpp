@@ -17,6 +17,8 @@ Conversation::Conversation(std::uint64_t id, std::string peer, Line& line, Serve
       line_(line),
       context_(context),
       pose_hold_(context.config.session.pose_hold),
+      environment_rate_(protocol::kEnvironmentBurst,
+                        context.config.session.environments_per_second),
       ledger_(context.metrics) {}
 
 // --- what the client says ---
@@ -37,7 +39,7 @@ void Conversation::visit(const Envelope& envelope) {
     case Envelope::kPing:
       return line_.send(pong_message(envelope.ping().nonce()));
     case Envelope::kPong:
-      return;  // being heard is all that it is for
+      return line_.heard_pong(envelope.pong().nonce());
     case Envelope::kGoodbye:
       return line_.close();
     case Envelope::kWelcome:
@@ -55,16 +57,39 @@ void Conversation::on_hello(const protocol::Hello& hello) {
   if (state_ != State::AwaitingHello) {
     throw ClientError(Error::UNEXPECTED_MESSAGE, "a second hello");
   }
-  check_admission(hello, context_.config.token);
+  try {
+    rights_ = check_admission(hello, context_.config.grants);
+  } catch (const ClientError& error) {
+    if (error.code == Error::AUTH_FAILED) line_.refused();
+    throw;
+  }
   const frame::ViewOptions options = view_options_from(hello);
-  view_ = context_.service.open_view(options, posting(&Conversation::on_rendered));
+  if (const auto busy = context_.admission.admit(options.camera, context_.service.load())) {
+    context_.metrics.refused(busy->label);
+    common::log_info(common::LogKind::Refusal, name() + ": refused, " + busy->reason);
+    return line_.send_last(busy_message(busy->retry_after, busy->reason));
+  }
   camera_ = options.camera;
-  state_ = State::Running;
+  state_ = State::Running;  // from here on leave() gives back what was taken
+  view_ = context_.service.open_view(options, posting(&Conversation::on_rendered));
   context_.metrics.session_opened();
   line_.welcomed();
   line_.send(welcome_message(id_, context_.config.session, context_.service.markers()));
-  common::log_info(name() + ": " + std::to_string(camera_.width) + " x " +
-                   std::to_string(camera_.height));
+  common::log_info(common::LogKind::Session, name() + ": " + std::to_string(camera_.width) + " x " +
+                                                 std::to_string(camera_.height));
+}
+
+void Conversation::refuse_poses(std::uint64_t frame_id, std::size_t message_bytes) {
+  if (state_ == State::AwaitingHello) {
+    throw ClientError(Error::UNEXPECTED_MESSAGE, "a message before the hello");
+  }
+  ledger_.receive(message_bytes);
+  if (state_ == State::Draining) return ledger_.skip(Skip::Draining);
+  ledger_.skip(Skip::Refused);
+  throw ClientError(
+      Error::TOO_MANY_POSES,
+      "more than the " + std::to_string(protocol::kMaxPoses) + " poses that are accepted",
+      frame_id);
 }
 
 void Conversation::on_camera_frame(const protocol::CameraFrame& frame) {
@@ -73,13 +98,6 @@ void Conversation::on_camera_frame(const protocol::CameraFrame& frame) {
   entry.frame_id = frame.frame_id();
   entry.arrival = Clock::now();
   if (state_ == State::Draining) return ledger_.skip(Skip::Draining);
-  if (frame.poses_size() > protocol::kMaxPoses) {
-    ledger_.skip(Skip::Refused);
-    throw ClientError(Error::TOO_MANY_POSES,
-                      std::to_string(frame.poses_size()) + " poses; at most " +
-                          std::to_string(protocol::kMaxPoses) + " are accepted",
-                      frame.frame_id());
-  }
   const CaptureClock::Judged capture = capture_clock_.judge(frame.capture_time_us(), entry.arrival);
   if (capture.clamped) context_.metrics.capture_time_clamped();
   entry.capture_time_us = capture.time_us;
@@ -101,10 +119,25 @@ std::vector<common::MarkerPose> Conversation::usable_poses(const protocol::Camer
 
 void Conversation::on_environment(const protocol::Environment& environment) {
   if (state_ == State::Draining) return;
+  check_environment_right();
   EnvironmentSlot::Offered offered = environments_.offer(environment_from(environment));
   apply(std::move(offered.now));
   if (offered.replaced) {
+    context_.metrics.environment(EnvironmentFate::Replaced);
     throw ClientError(Error::BAD_ENVIRONMENT, "replaced by a newer one before it was used");
+  }
+}
+
+void Conversation::check_environment_right() {
+  const EnvironmentFrom from = context_.config.environment_from;
+  if (from == EnvironmentFrom::None ||
+      (from == EnvironmentFrom::Authorised && !rights_.environment)) {
+    context_.metrics.environment(EnvironmentFate::Forbidden);
+    throw ClientError(Error::BAD_ENVIRONMENT, "this client may not change the light");
+  }
+  if (!environment_rate_.admit(Clock::now())) {
+    context_.metrics.environment(EnvironmentFate::TooOften);
+    throw ClientError(Error::BAD_ENVIRONMENT, "environments came too often");
   }
 }
 
@@ -142,13 +175,15 @@ void Conversation::fail(const frame::FrameFailure& failure, std::uint64_t frame_
       return answer(ClientError(Error::BAD_IMAGE, failure.what, frame_id));
     case frame::FrameFailure::Kind::Internal:
       // What went wrong inside is the operator's to read, not a stranger's.
-      common::log_error(name() + ": frame " + std::to_string(frame_id) + ": " + failure.what);
+      common::log_error(common::LogKind::Frame,
+                        name() + ": frame " + std::to_string(frame_id) + ": " + failure.what);
       return answer(ClientError(Error::INTERNAL, "the frame could not be rendered", frame_id));
   }
 }
 
 void Conversation::on_environment_applied(std::optional<std::string> error) {
   if (state_ == State::Over) return;
+  context_.metrics.environment(error ? EnvironmentFate::Unusable : EnvironmentFate::Applied);
   if (error) answer(ClientError(Error::BAD_ENVIRONMENT, *error));
   apply(environments_.done());
 }
@@ -167,7 +202,7 @@ void Conversation::answer(const ClientError& error) {
   const bool closes = !is_survivable(error.code);
   context_.metrics.error_sent(error.code);
   const std::string line = name() + ": " + Error::Code_Name(error.code) + ": " + error.what();
-  closes ? common::log_info(line) : common::log_debug(line);
+  closes ? common::log_info(common::LogKind::Refusal, line) : common::log_debug(line);
   closes ? line_.send_last(error_message(error)) : line_.send(error_message(error));
 }
 
@@ -179,7 +214,8 @@ void Conversation::drain(std::chrono::milliseconds deadline) {
 }
 
 void Conversation::leave() {
-  state_ = State::Over;
+  const State before = std::exchange(state_, State::Over);
+  if (before == State::Running || before == State::Draining) context_.admission.leave(camera_);
   if (!view_) return;
   context_.service.close_view(*std::exchange(view_, std::nullopt));
   context_.metrics.session_closed();

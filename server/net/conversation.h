@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "frame/frame.h"
+#include "net/admission.h"
 #include "net/answer.h"
 #include "net/capture_clock.h"
 #include "net/client_error.h"
@@ -18,6 +19,7 @@
 #include "net/frame_ledger.h"
 #include "net/metrics.h"
 #include "net/pose_hold.h"
+#include "net/rate_limit.h"
 #include "net/server_config.h"
 #include "net/session_report.h"
 
@@ -28,6 +30,7 @@ struct ServerContext {
   const ServerConfig& config;
   frame::FrameService& service;
   Metrics& metrics;
+  Admission& admission;
 };
 
 // What a conversation needs of the connection that carries it.
@@ -39,10 +42,14 @@ class Line {
   virtual void send(const protocol::Envelope& message) = 0;
   // True if it replaced a waiting one, which will never be written.
   virtual bool send_answer(Answer answer) = 0;
-  // An Error that ends the conversation: nothing else that waits is written before it.
-  virtual void send_last(const protocol::Envelope& error) = 0;
+  // An Error or Busy that ends the conversation: nothing else that waits is written before it.
+  virtual void send_last(const protocol::Envelope& message) = 0;
   // The hello was accepted: larger messages are taken and the client is pinged.
   virtual void welcomed() = 0;
+  // The client gave a wrong token.
+  virtual void refused() = 0;
+  // The client has read everything up to the ping with this nonce.
+  virtual void heard_pong(std::uint64_t nonce) = 0;
   // Writes what is queued, then ends. Calls Conversation::leave().
   virtual void close() = 0;
   // A function for other threads. It runs a step on the line's own, if the line still lives then.
@@ -58,6 +65,8 @@ class Conversation {
 
   // Throws ClientError, which the line hands to answer().
   void visit(const protocol::Envelope& envelope);
+  // A frame that was not even kept. Throws ClientError.
+  void refuse_poses(std::uint64_t frame_id, std::size_t message_bytes);
   void answer(const ClientError& error);
 
   // Accepts no more frames; answers those in flight.
@@ -71,6 +80,7 @@ class Conversation {
   void written(std::size_t message_bytes) { ledger_.sent(message_bytes); }
   void dropped() { ledger_.skip(Skip::Closed); }
 
+  void set_peer(std::string peer) { peer_ = std::move(peer); }
   std::uint64_t skipped() const { return ledger_.skipped_count(); }
   std::string name() const;  // for logs
   SessionReport report() const;
@@ -82,6 +92,7 @@ class Conversation {
   void on_hello(const protocol::Hello& hello);
   void on_camera_frame(const protocol::CameraFrame& frame);
   void on_environment(const protocol::Environment& environment);
+  void check_environment_right();
   void apply(std::optional<frame::EnvironmentInput> environment);
   std::vector<common::MarkerPose> usable_poses(const protocol::CameraFrame& frame);
 
@@ -100,9 +111,11 @@ class Conversation {
   State state_ = State::AwaitingHello;
   std::optional<frame::ViewId> view_;
   common::CameraModel camera_;
+  Rights rights_;
   PoseHold pose_hold_;
   CaptureClock capture_clock_;
   EnvironmentSlot environments_;
+  RateLimit environment_rate_;
   FrameLedger ledger_;
 };
 

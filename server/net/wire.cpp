@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <string>
 
-#include "net/token.h"
 #include "protocol/geometry.h"
 #include "protocol/limits.h"
 
@@ -35,15 +34,15 @@ common::CameraModel camera_from(const protocol::Camera& wire) {
 
 }  // namespace
 
-void check_admission(const protocol::Hello& hello, const std::string& token) {
+Rights check_admission(const protocol::Hello& hello, const std::vector<Grant>& grants) {
   if (hello.version() != protocol::kProtocolVersion) {
     throw ClientError(Error::UNSUPPORTED_VERSION, "version " + std::to_string(hello.version()) +
                                                       "; this server speaks " +
                                                       std::to_string(protocol::kProtocolVersion));
   }
-  if (!token.empty() && !tokens_equal(hello.token(), token)) {
-    throw ClientError(Error::AUTH_FAILED, "the token is wrong");
-  }
+  const std::optional<Rights> rights = rights_of(hello.token(), grants);
+  if (!rights || !rights->view) throw ClientError(Error::AUTH_FAILED, "the token is wrong");
+  return *rights;
 }
 
 frame::ViewOptions view_options_from(const protocol::Hello& hello) {
@@ -128,6 +127,14 @@ protocol::Envelope ping_message(std::uint64_t nonce) {
 protocol::Envelope pong_message(std::uint64_t nonce) {
   protocol::Envelope envelope;
   envelope.mutable_pong()->set_nonce(nonce);
+  return envelope;
+}
+
+protocol::Envelope busy_message(std::chrono::milliseconds retry_after, const std::string& reason) {
+  protocol::Envelope envelope;
+  protocol::Busy& busy = *envelope.mutable_busy();
+  busy.set_retry_after_ms(static_cast<std::uint32_t>(retry_after.count()));
+  busy.set_reason(reason);
   return envelope;
 }
 

@@ -17,9 +17,9 @@
 
 namespace amalgam::net {
 
-// Checks version and token of a Hello; an empty token admits everybody. Throws
+// Checks version and token of a Hello, and tells what the client may do. Throws
 // ClientError(UNSUPPORTED_VERSION or AUTH_FAILED).
-void check_admission(const protocol::Hello& hello, const std::string& token);
+Rights check_admission(const protocol::Hello& hello, const std::vector<Grant>& grants);
 
 // Size, camera and quality of a Hello.
 // Throws ClientError(BAD_HELLO).
@@ -38,6 +38,7 @@ protocol::Envelope welcome_message(std::uint64_t session, const SessionLimits& l
                                    const frame::FrameService::MarkerSet& markers);
 protocol::Envelope ping_message(std::uint64_t nonce);
 protocol::Envelope pong_message(std::uint64_t nonce);
+protocol::Envelope busy_message(std::chrono::milliseconds retry_after, const std::string& reason);
 protocol::Envelope draining_message(std::chrono::milliseconds deadline);
 protocol::Envelope error_message(const ClientError& error);
 

@@ -17,7 +17,7 @@ bool WriteSlot::put_answer(Answer answer) {
   return std::exchange(answer_, std::move(answer)).has_value();
 }
 
-std::optional<std::string> WriteSlot::begin_write(std::uint64_t skipped) {
+std::optional<std::string> WriteSlot::begin_write(std::uint64_t skipped, bool may_answer) {
   if (writing()) return std::nullopt;
   if (!control_.empty()) {
     writing_ = Writing::Control;
@@ -25,7 +25,7 @@ std::optional<std::string> WriteSlot::begin_write(std::uint64_t skipped) {
     control_.pop_front();
     return bytes;
   }
-  if (!answer_) return std::nullopt;
+  if (!answer_ || !may_answer) return std::nullopt;
   writing_ = Writing::Answer;
   return protocol::encode(composite_message(*std::exchange(answer_, std::nullopt), skipped));
 }

@@ -25,8 +25,9 @@ class WriteSlot {
 
   // Takes the next message, if there is one and no write is in flight, and begins its write.
   // Control messages go first: they are small, and an Error should not wait behind an image. A
-  // composite gets `skipped` only now, so that it counts frames replaced while it waited.
-  std::optional<std::string> begin_write(std::uint64_t skipped);
+  // composite gets `skipped` only now, so that it counts frames replaced while it waited; it waits
+  // on unless may_answer.
+  std::optional<std::string> begin_write(std::uint64_t skipped, bool may_answer = true);
   void end_write() { writing_ = Writing::Nothing; }
 
   // Drops the waiting control messages, to make room for a last Error.

@@ -19,7 +19,8 @@ net::ServerConfig bench_config() {
 
 SceneServer::SceneServer(const std::filesystem::path& scene,
                          const frame::RendererSettings& settings)
-    : service_(frame::make_render_service(scene.string(), {.renderer = settings})),
+    : service_(std::make_unique<frame::RenderThread>(
+          scene.string(), frame::RenderServiceOptions{.renderer = settings})),
       server_(bench_config()) {
   server_.serve(*service_);
   network_ = std::thread([this] { server_.run(); });

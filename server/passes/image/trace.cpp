@@ -58,6 +58,7 @@ trace::TraceResult trace_samples(const TraceInputs& in, const graph::Access& acc
       .keep_provenance = in.keep_provenance,
       .keep_paths_below = samples.keep_paths_below,
       .ray_log = in.ray_log,
+      .progress = in.view.progress,
   });
 }
 
@@ -103,6 +104,7 @@ graph::Handle<MeterGrid> add_traced_meter_pass(graph::FrameGraph& graph,
         .mask_bit = 1,
         .settings = {.max_depth = 0},
         .keep_images = true,
+        .progress = in.view.progress,
     });
     MeterGrid grid{common::ImageRgba32f(entries.x, entries.y), step, n};
     for (int y = 0; y < entries.y; ++y) {

@@ -28,6 +28,8 @@ class RecordingLine : public Line {
     closed = true;
   }
   void welcomed() override { ++welcomes; }
+  void refused() override { ++refusals; }
+  void heard_pong(std::uint64_t nonce) override { pongs.push_back(nonce); }
   void close() override { closed = true; }
   std::function<void(Step)> posting() override {
     return [this](Step step) {
@@ -54,7 +56,8 @@ class RecordingLine : public Line {
 
   std::vector<Envelope> said;
   std::vector<Answer> answers;
-  int welcomes = 0;
+  std::vector<std::uint64_t> pongs;
+  int welcomes = 0, refusals = 0;
   bool closed = false;
 
  private:
@@ -77,7 +80,8 @@ class ConversationTest : public testing::Test {
   ServerConfig config_;
   Metrics metrics_;
   test::StubFrameService service_;
-  ServerContext context_{config_, service_, metrics_};
+  Admission admission_{config_.admission};
+  ServerContext context_{config_, service_, metrics_, admission_};
   RecordingLine line_;
   Conversation conversation_{7, "nobody", line_, context_};
 };

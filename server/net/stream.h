@@ -1,0 +1,38 @@
+// A client's byte stream: TCP, or TLS over it. One read and one write at a time.
+#pragma once
+
+#include <boost/asio/buffer.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/ssl/context.hpp>
+#include <boost/asio/ssl/stream.hpp>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace amalgam::net {
+
+class Stream {
+ public:
+  using ErrorCode = boost::system::error_code;
+  using OnSize = std::function<void(const ErrorCode&, std::size_t)>;
+  using OnDone = std::function<void(const ErrorCode&)>;
+
+  explicit Stream(boost::asio::ip::tcp::socket socket) : socket_(std::move(socket)) {}
+
+  // From here on everything is encrypted.
+  void handshake(std::shared_ptr<boost::asio::ssl::context> context, OnDone done);
+  void read_some(boost::asio::mutable_buffer buffer, OnSize done);
+  void write(boost::asio::const_buffer buffer, OnSize done);
+  void finish_sending();
+  void close();
+
+  boost::asio::ip::tcp::socket& socket() { return socket_; }
+
+ private:
+  boost::asio::ip::tcp::socket socket_;
+  std::shared_ptr<boost::asio::ssl::context> context_;
+  std::optional<boost::asio::ssl::stream<boost::asio::ip::tcp::socket&>> tls_;
+};
+
+}  // namespace amalgam::net
