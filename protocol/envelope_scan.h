@@ -1,5 +1,5 @@
-// Looks at the bytes of an Envelope while they arrive, before any of them is parsed or kept: parsing
-// takes a hundred times the time and memory that a small field takes on the wire.
+// Looks at the bytes of an Envelope while they arrive, before any of them is parsed or kept:
+// parsing takes a hundred times the time and memory that a small field takes on the wire.
 #pragma once
 
 #include <cstddef>

@@ -83,11 +83,11 @@ inline constexpr std::size_t kReadBufferBytes = 64 * 1024;  // after the hello; 
 // Unsent bytes that the kernel may buffer. More would be old frames that newest-wins cannot
 // replace.
 inline constexpr int kUnsentBytes = 64 * 1024;
-// SO_SNDBUF: what is on its way or unread. Left to itself the kernel takes megabytes, which a reader
-// that stops would find full of old frames.
+// SO_SNDBUF: what is on its way or unread. Left to itself the kernel takes megabytes, which a
+// reader that stops would find full of old frames.
 inline constexpr int kSendBufferBytes = 256 * 1024;
-// Composites that may be on their way or unread. A Ping follows each, so that its Pong tells when it
-// was read.
+// Composites that may be on their way or unread. A Ping follows each, so that its Pong tells when
+// it was read.
 inline constexpr std::size_t kMaxUnreadComposites = 2;
 
 }  // namespace amalgam::protocol

@@ -125,7 +125,7 @@ bool Connection::is_admitted(const asio::ip::tcp::endpoint& client) {
 
 void Connection::secure() {
   if (!tls_) return read();
-  stream_.handshake(tls_, [self = shared_from_this()](const ErrorCode& ec) {
+  stream_.handshake_as_server(tls_, [self = shared_from_this()](const ErrorCode& ec) {
     self->guarded([&] {
       if (self->state_ == State::Ended) return;
       if (ec) return self->lost(ec, "TLS");

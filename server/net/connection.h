@@ -20,9 +20,9 @@
 #include "net/connection_limits.h"
 #include "net/conversation.h"
 #include "net/deadlines.h"
-#include "net/stream.h"
 #include "net/write_slot.h"
 #include "protocol/framing.h"
+#include "protocol/stream.h"
 
 namespace amalgam::net {
 
@@ -90,7 +90,7 @@ class Connection : public std::enable_shared_from_this<Connection>, private Line
   }
   void lost(const ErrorCode& ec, const char* what);
 
-  Stream stream_;
+  protocol::Stream stream_;
   boost::asio::steady_timer timer_, proxy_timer_{timer_.get_executor()};
   std::optional<ConnectionLimits::Ticket> ticket_;
   const bool by_proxy_;

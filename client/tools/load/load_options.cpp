@@ -7,7 +7,7 @@
 #include "common/build_info.h"
 #include "common/parse_command_line.h"
 #include "common/token_file.h"
-#include "net/token.h"
+#include "protocol/limits.h"
 
 namespace amalgam::load {
 

@@ -1,0 +1,60 @@
+// Row 37: what is not used any more is given back.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "faults/figure.h"
+#include "net/admission.h"
+#include "net/process_figures.h"
+#include "support/net/test_server.h"
+
+namespace amalgam::test {
+namespace {
+
+using protocol::Envelope;
+
+double resident_mib() {
+  return static_cast<double>(net::read_process_figures().resident_bytes) / (1024.0 * 1024.0);
+}
+
+TEST(Memory, LargeFramesLeaveNothingBehind) {
+  net::ServerConfig config = test_config();
+  config.connections.per_address = 64;
+  TestServer server(config);
+  std::vector<TestClient> clients;
+  for (int i = 0; i < 32; ++i) clients.push_back(server.session());
+  const double before = resident_mib();
+  const std::string jpeg(4'000'000, 'j');
+  for (TestClient& client : clients) {
+    client.send(frame_message(1, jpeg));
+    client.expect(Envelope::kComposite);
+  }
+  const double after = resident_mib();
+  // Two seconds of the five that are promised.
+  std::this_thread::sleep_for(std::chrono::seconds(2));
+  const double kept = resident_mib() - before;
+  print_figure("37", "32 sessions keep", kept, "MiB", "<= 2 MiB after 5 s");
+  print_figure("37", "right after the frames", after - before, "MiB", "-");
+  // The tests' own client keeps up to one frame.
+  EXPECT_LT(kept, 16.0);
+}
+
+TEST(Memory, ASessionsShareIsKnownAtItsHello) {
+  const common::CameraModel camera = common::default_camera(640, 480);
+  const std::uint64_t each = net::memory_of_session(camera);
+  net::Admission admission({.load = 0.0, .memory = 2 * each});
+  EXPECT_FALSE(admission.admit(camera, {}));
+  EXPECT_FALSE(admission.admit(camera, {}));
+  const auto busy = admission.admit(camera, {});
+  ASSERT_TRUE(busy);
+  EXPECT_STREQ(busy->label, "memory");
+  EXPECT_GT(busy->retry_after.count(), 0);
+  admission.leave(camera);
+  EXPECT_FALSE(admission.admit(camera, {}));
+}
+
+}  // namespace
+}  // namespace amalgam::test
