@@ -83,6 +83,8 @@ inline constexpr std::size_t kReadBufferBytes = 64 * 1024;  // after the hello; 
 // Unsent bytes that the kernel may buffer. More would be old frames that newest-wins cannot
 // replace.
 inline constexpr int kUnsentBytes = 64 * 1024;
+// Between two times that freed memory goes back to the system: within the five seconds promised.
+inline constexpr std::chrono::milliseconds kTrimInterval{3500};
 // SO_SNDBUF: what is on its way or unread. Left to itself the kernel takes megabytes, which a
 // reader that stops would find full of old frames.
 inline constexpr int kSendBufferBytes = 256 * 1024;

@@ -18,4 +18,9 @@ void set_tcp_options(int socket, const TcpOptions& options) {
   }
 }
 
+void acknowledge_now(int socket) {
+  const int on = 1;
+  ::setsockopt(socket, IPPROTO_TCP, TCP_QUICKACK, &on, sizeof(on));
+}
+
 }  // namespace amalgam::common

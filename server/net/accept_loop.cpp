@@ -61,17 +61,19 @@ void AcceptLoop::start() {
   accept();
 }
 
-void AcceptLoop::revive() {
-  if (started_ && !waiting_ && acceptor_.is_open()) accept();
+void AcceptLoop::restart() {
+  if (!started_ || !acceptor_.is_open()) return;
+  error_code ignored;
+  acceptor_.cancel(ignored);
+  pause_.cancel();
+  accept();
 }
 
 void AcceptLoop::accept() {
   acceptor_.async_accept([this](const error_code& ec, tcp::socket socket) {
     if (ec == asio::error::operation_aborted) return;
-    waiting_ = false;
     on_accept(ec, std::move(socket));
   });
-  waiting_ = true;
 }
 
 // The one place where what is thrown for a new connection is caught: it alone is lost.
@@ -93,10 +95,8 @@ void AcceptLoop::pause() {
   pause_.expires_after(kPauseAfterError);
   pause_.async_wait([this](const error_code& cancelled) {
     if (cancelled) return;
-    waiting_ = false;
     if (acceptor_.is_open()) accept();
   });
-  waiting_ = true;
 }
 
 }  // namespace amalgam::net

@@ -21,8 +21,9 @@ class AcceptLoop {
   // Throws std::runtime_error. From here on connections queue up; start() accepts them.
   void listen();
   void start();
-  // Goes on if memory was missing even for waiting. Called now and then.
-  void revive();
+  // Begins to wait anew. For when something was thrown past all handlers, which may have lost this
+  // one's: Asio itself allocates between a connection and its handler.
+  void restart();
   void close();
   common::HostPort address() const;  // with the actual port if 0 was given
 
@@ -35,7 +36,6 @@ class AcceptLoop {
   boost::asio::steady_timer pause_;
   OnAccept on_accept_;
   bool started_ = false;
-  bool waiting_ = false;  // for a connection, or for the end of a pause
 };
 
 }  // namespace amalgam::net

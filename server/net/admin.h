@@ -29,7 +29,7 @@ class Admin {
         AdminPages pages);
 
   void start();
-  void revive() { accept_loop_.revive(); }
+  void restart() { accept_loop_.restart(); }
   void close() { accept_loop_.close(); }
   common::HostPort address() const { return accept_loop_.address(); }
 

@@ -147,6 +147,7 @@ void Connection::read() {
 void Connection::on_read(const ErrorCode& ec, std::size_t size) {
   if (state_ == State::Ended) return;
   if (ec) return lost(ec, "read");
+  common::acknowledge_now(stream_.socket().native_handle());
   // While closing, what still arrives is thrown away: unread bytes would make the kernel reset the
   // connection, and the client would never see the Error that tells it why.
   if (state_ == State::Open) take(std::span(read_buffer_).first(size));
@@ -155,12 +156,16 @@ void Connection::on_read(const ErrorCode& ec, std::size_t size) {
 
 void Connection::take(std::span<const std::byte> input) {
   while (state_ == State::Open) {
+    const std::size_t left = input.size();
+    const std::size_t begun = decoder_.bytes_of_unfinished();
     const protocol::Decoder::Result result = decoder_.next(input);
+    const std::size_t size_of_last = begun + left - input.size();
     if (std::holds_alternative<protocol::Decoder::NeedMore>(result)) break;
     if (const auto* failure = std::get_if<protocol::Decoder::Failure>(&result)) {
       return fail(Error::PROTOCOL_ERROR, failure->what);
     }
     deadlines_.received_message(Clock::now());
+    if (size_of_last > protocol::kMaxControlBytes) context_.large_messages = true;
     guarded([&] {
       if (const auto* refused = std::get_if<protocol::Decoder::TooManyPoses>(&result)) {
         conversation_.refuse_poses(refused->frame_id, refused->message_bytes);

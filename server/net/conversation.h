@@ -31,6 +31,7 @@ struct ServerContext {
   frame::FrameService& service;
   Metrics& metrics;
   Admission& admission;
+  bool large_messages = false;  // some came, and may have left memory in the allocator
 };
 
 // What a conversation needs of the connection that carries it.

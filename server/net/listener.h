@@ -30,7 +30,7 @@ class Listener {
 
   void listen() { accept_loop_.listen(); }
   void start() { accept_loop_.start(); }
-  void revive() { accept_loop_.revive(); }
+  void restart() { accept_loop_.restart(); }
   void close() { accept_loop_.close(); }
   common::HostPort address() const { return accept_loop_.address(); }
 

@@ -58,7 +58,7 @@ class Server::Impl {
     listener_.listen();  // here, so that the caller can tell the world, or learns that it failed
     asio::post(io_, [this, &service] {
       if (phase_ != Phase::Loading) return;
-      context_.emplace(ServerContext{config_, service, metrics_, admission_});
+      context_.emplace(ServerContext{config_, service, metrics_, admission_, false});
       shared_.emplace(Connection::Shared{*context_, limits_, back_off_, tls_});
       listener_.start();
       phase_ = Phase::Serving;
@@ -68,12 +68,14 @@ class Server::Impl {
   // What is thrown past all guards, because memory is missing, ends nothing but the step that
   // threw.
   void run() {
+    bool lost_handlers = true;  // at first: none waits yet
     for (;;) {
       try {
-        revive();
+        if (std::exchange(lost_handlers, false)) restart();
         io_.run();
         return;
       } catch (const std::exception& error) {
+        lost_handlers = true;
         quietly([&] { common::log_error(common::LogKind::Accept, error.what()); });
       }
     }
@@ -82,7 +84,6 @@ class Server::Impl {
   void handle_signals(std::function<void()> reload) {
     reload_ = std::move(reload);
     for (const int signal : {SIGTERM, SIGINT, SIGHUP}) signals_.add(signal);
-    wait_for_signal();
   }
 
   void configure(const ServerConfig& config) {
@@ -149,24 +150,32 @@ class Server::Impl {
     });
   }
 
-  // Once a second: goes on with what was given up when memory was missing, and returns to the
-  // system what sessions have left behind in the allocator.
-  void tick() {
-    if (phase_ == Phase::Finished) return;
-    if (std::exchange(gave_memory_back_, false)) ::malloc_trim(0);
-    ticking_ = false;
-    revive();
+  // Everything that always waits, waits anew.
+  void restart() {
+    boost::system::error_code ignored;
+    signals_.cancel(ignored);
+    if (reload_) wait_for_signal();
+    admin_.restart();
+    listener_.restart();
+    tick();
   }
 
-  void revive() {
-    admin_.revive();
-    listener_.revive();
-    if (ticking_) return;
+  // Once a second. What sessions and large messages have left behind in the allocator goes back to
+  // the system, but not so often that a busy server would always fetch it again.
+  void tick() {
+    if (phase_ == Phase::Finished) return;
+    const Clock::time_point now = Clock::now();
+    const bool left_behind = gave_memory_back_ || (context_ && context_->large_messages);
+    if (left_behind && now - trimmed_ > protocol::kTrimInterval) {
+      ::malloc_trim(0);
+      trimmed_ = now;
+      gave_memory_back_ = false;
+      if (context_) context_->large_messages = false;
+    }
     tick_timer_.expires_after(std::chrono::seconds(1));
     tick_timer_.async_wait([this](const boost::system::error_code& ec) {
       if (!ec) tick();
     });
-    ticking_ = true;
   }
 
   void begin_drain() {
@@ -258,8 +267,8 @@ class Server::Impl {
   Phase phase_ = Phase::Loading;
   std::uint64_t last_session_ = 0;
   std::function<void()> reload_;
-  bool ticking_ = false;
   bool gave_memory_back_ = false;
+  Clock::time_point trimmed_{};
   asio::io_context io_{1};  // one thread: no locks on sockets
   std::map<std::uint64_t, std::shared_ptr<Connection>> sessions_;
   Admin admin_;

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <boost/asio/ip/address.hpp>
+#include <chrono>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "faults/control_client.h"
@@ -104,7 +106,11 @@ TEST(Addresses, StrangersLeaveRoomForWhoWasLetInBefore) {
   server.session();  // and it leaves again
   std::vector<TestClient> half_open;
   for (int i = 0; i < 4; ++i) half_open.push_back(server.connect());
-  const HttpAnswer ready = server.admin("/readyz");
+  HttpAnswer ready;
+  for (int i = 0; i < 500 && ready.status != 503; ++i) {  // until they are accepted
+    ready = server.admin("/readyz");
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
   EXPECT_EQ(ready.status, 503);
   EXPECT_EQ(ready.body, "too many connections without a hello\n");
   TestClient known = server.session();

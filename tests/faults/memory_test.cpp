@@ -33,13 +33,19 @@ TEST(Memory, LargeFramesLeaveNothingBehind) {
     client.expect(Envelope::kComposite);
   }
   const double after = resident_mib();
-  // Two seconds of the five that are promised.
-  std::this_thread::sleep_for(std::chrono::seconds(2));
-  const double kept = resident_mib() - before;
+  double kept = after - before;
+  const auto begin = std::chrono::steady_clock::now();
+  const auto seconds = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  };
+  while (kept > 2.0 && seconds() < 10.0) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    kept = resident_mib() - before;
+  }
+  print_figure("37", "given back after", seconds(), "s", "<= 5 s");
   print_figure("37", "32 sessions keep", kept, "MiB", "<= 2 MiB after 5 s");
   print_figure("37", "right after the frames", after - before, "MiB", "-");
-  // The tests' own client keeps up to one frame.
-  EXPECT_LT(kept, 16.0);
+  EXPECT_LE(kept, 2.0);
 }
 
 TEST(Memory, ASessionsShareIsKnownAtItsHello) {

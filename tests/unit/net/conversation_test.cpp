@@ -81,7 +81,7 @@ class ConversationTest : public testing::Test {
   Metrics metrics_;
   test::StubFrameService service_;
   Admission admission_{config_.admission};
-  ServerContext context_{config_, service_, metrics_, admission_};
+  ServerContext context_{config_, service_, metrics_, admission_, false};
   RecordingLine line_;
   Conversation conversation_{7, "nobody", line_, context_};
 };
