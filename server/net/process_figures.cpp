@@ -1,17 +1,27 @@
 #include "net/process_figures.h"
 
+#include <dirent.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include <filesystem>
 #include <fstream>
-#include <iterator>
 
 namespace amalgam::net {
 namespace {
 
 double seconds(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+// Not by std::filesystem, whose iterator ends the process when memory is missing.
+std::uint64_t count_descriptors() {
+  DIR* const folder = ::opendir("/proc/self/fd");
+  if (folder == nullptr) return 0;
+  std::uint64_t entries = 0;
+  while (::readdir(folder) != nullptr) ++entries;
+  ::closedir(folder);
+  constexpr std::uint64_t kNotCounted = 3;  // . and .. and the folder itself
+  return entries - kNotCounted;
 }
 
 }  // namespace
@@ -26,12 +36,7 @@ ProcessFigures read_process_figures() {
   if (std::ifstream("/proc/self/statm") >> pages_of_program >> resident_pages) {
     figures.resident_bytes = resident_pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
   }
-  std::error_code ec;
-  const std::filesystem::directory_iterator descriptors("/proc/self/fd", ec);
-  if (!ec) {
-    figures.open_descriptors =
-        static_cast<std::uint64_t>(std::distance(begin(descriptors), end(descriptors)));
-  }
+  figures.open_descriptors = count_descriptors();
   return figures;
 }
 

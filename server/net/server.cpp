@@ -160,7 +160,7 @@ class Server::Impl {
     tick();
   }
 
-  // Once a second. What sessions and large messages have left behind in the allocator goes back to
+  // Twice a second. What sessions and large messages have left behind in the allocator goes back to
   // the system, but not so often that a busy server would always fetch it again.
   void tick() {
     if (phase_ == Phase::Finished) return;
@@ -172,7 +172,7 @@ class Server::Impl {
       gave_memory_back_ = false;
       if (context_) context_->large_messages = false;
     }
-    tick_timer_.expires_after(std::chrono::seconds(1));
+    tick_timer_.expires_after(std::chrono::milliseconds(500));
     tick_timer_.async_wait([this](const boost::system::error_code& ec) {
       if (!ec) tick();
     });
