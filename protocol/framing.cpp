@@ -100,7 +100,7 @@ std::optional<std::string> Decoder::keep(std::span<const std::byte> bytes) {
     case EnvelopeScan::Verdict::Bad:
       return scan_.defect();
     case EnvelopeScan::Verdict::TooManyPoses:
-      body_ = std::string();
+      std::string().swap(body_);  // assigning would keep the memory
       return std::nullopt;
     case EnvelopeScan::Verdict::Good:
       break;
@@ -113,7 +113,7 @@ std::optional<std::string> Decoder::keep(std::span<const std::byte> bytes) {
 
 Decoder::Result Decoder::fail(std::string what) {
   failure_ = Failure{std::move(what)};
-  body_ = std::string();
+  std::string().swap(body_);  // assigning would keep the memory
   return *failure_;
 }
 

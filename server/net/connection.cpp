@@ -232,7 +232,7 @@ void Connection::on_written(const ErrorCode& ec, std::size_t size) {
   if (ec) return lost(ec, "write");
   if (slot_.writing_answer()) conversation_.written(size);
   slot_.end_write();
-  writing_ = std::string();  // it may have been an image
+  std::string().swap(writing_);  // it may have been an image, whose memory assigning would keep
   deadlines_.write_ended();
   write();
   if (state_ == State::Closing) finish_sending();
