@@ -27,8 +27,7 @@ class JsonMessage : public spdlog::custom_flag_formatter {
   void format(const spdlog::details::log_msg& message, const std::tm&,
               spdlog::memory_buf_t& out) override {
     const nlohmann::json text(std::string(message.payload.data(), message.payload.size()));
-    const std::string quoted =
-        text.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    const std::string quoted = text.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
     out.append(quoted.data(), quoted.data() + quoted.size());
   }
   std::unique_ptr<custom_flag_formatter> clone() const override {
@@ -99,8 +98,7 @@ void set_log_level(std::string_view level) {
 
 void set_log_format(std::string_view format) {
   if (format != "text" && format != "json") {
-    throw std::invalid_argument("log format '" + std::string(format) +
-                                "' is none of text, json");
+    throw std::invalid_argument("log format '" + std::string(format) + "' is none of text, json");
   }
   the_log().sink->set_formatter(make_formatter(format == "json"));
 }

@@ -62,7 +62,7 @@ struct TraceRequest {
   bool keep_provenance = false;
   // Bytes. Paths are kept if they take less memory than this; 0: never.
   std::size_t keep_paths_below = 0;
-  RayLog* ray_log = nullptr;            // filled if given
+  RayLog* ray_log = nullptr;           // filled if given
   core::Progress* progress = nullptr;  // stepped at each tile, which may cancel the frame
 };
 
