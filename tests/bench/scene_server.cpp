@@ -10,6 +10,7 @@ net::ServerConfig bench_config() {
   net::ServerConfig config;
   constexpr std::chrono::minutes kPatience{10};
   config.session.ping_interval = config.session.idle_timeout = kPatience;
+  config.session.write_timeout = kPatience;
   config.listen.port = 0;
   config.admin.port = 0;
   return config;
