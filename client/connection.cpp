@@ -6,6 +6,7 @@
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <random>
+#include <stdexcept>
 #include <thread>
 
 #include "client/event_queue.h"
@@ -28,12 +29,29 @@ struct QueuedFrame {
   std::string bytes;
 };
 
+protocol::Stream::Tls make_tls(const ConnectionOptions& options) {
+  namespace ssl = asio::ssl;
+  if (!options.tls) return nullptr;
+  auto tls = std::make_shared<ssl::context>(ssl::context::tls_client);
+  SSL_CTX_set_min_proto_version(tls->native_handle(), TLS1_3_VERSION);
+  boost::system::error_code ec;
+  const std::string& file = options.certificate_authority;
+  file.empty() ? tls->set_default_verify_paths(ec) : tls->load_verify_file(file, ec);
+  if (ec)
+    throw std::runtime_error("the certificates in " + file + " cannot be used: " + ec.message());
+  return tls;
+}
+
 }  // namespace
 
 class Connection::Worker {
  public:
   Worker(const ConnectionOptions& options, const protocol::Hello& hello)
-      : options_(options), hello_(hello), work_(io_.get_executor()), retry_timer_(io_) {}
+      : options_(options),
+        hello_(hello),
+        tls_(make_tls(options)),
+        work_(io_.get_executor()),
+        retry_timer_(io_) {}
 
   void start() {
     give_up_at_ = Clock::now() + options_.connect_timeout;
@@ -75,7 +93,7 @@ class Connection::Worker {
     events.error = [this](protocol::Error error) { events_.push(FrameError{std::move(error)}); };
     events.idle = [this] { write_waiting(); };
     events.ended = [this](const LinkEnd& end) { on_end(end); };
-    link_ = std::make_shared<Link>(io_, std::move(events));
+    link_ = std::make_shared<Link>(io_, tls_, std::move(events));
     was_welcomed_ = false;
     const auto left = std::chrono::duration_cast<milliseconds>(give_up_at_ - Clock::now());
     link_->open(options_.server, hello_, std::max(left, milliseconds(1)));
@@ -96,7 +114,7 @@ class Connection::Worker {
       events_.push(LinkBroken{end.text, last_sent_});
     }
     if (end.kind == LinkEnd::Kind::Refused) return give_up(end.text);
-    const milliseconds pause = std::max(next_backoff(), end.retry_after);
+    const milliseconds pause = std::max(next_backoff(), later(end.retry_after));
     if (Clock::now() + pause >= give_up_at_) return give_up(end.text);
     retry_timer_.expires_after(pause);
     retry_timer_.async_wait([this](const boost::system::error_code& ec) {
@@ -117,8 +135,16 @@ class Connection::Worker {
     return pause;
   }
 
+  // Not before the server's time, and not all at once: up to half of it later.
+  milliseconds later(milliseconds retry_after) {
+    std::uniform_real_distribution<double> times(1.0, 1.5);
+    return milliseconds(
+        static_cast<milliseconds::rep>(times(random_) * static_cast<double>(retry_after.count())));
+  }
+
   const ConnectionOptions options_;
   const protocol::Hello hello_;
+  const protocol::Stream::Tls tls_;
   common::Mailbox<QueuedFrame> mailbox_;
   EventQueue<ConnectionEvent> events_;
   std::thread thread_;

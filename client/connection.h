@@ -24,6 +24,9 @@ struct ConnectionOptions {
   // An encoded Envelope to be sent after each welcome, before any frame; empty for none. After
   // each, because a restarted server needs it again.
   std::string after_welcome{};
+  bool tls = false;
+  // PEM file of the certificates that are trusted with TLS; empty: the system's.
+  std::string certificate_authority{};
 };
 
 // Events, in the order in which they happened.
@@ -48,7 +51,7 @@ using ConnectionEvent = std::variant<Welcomed, Composited, FrameError, LinkBroke
 
 class Connection {
  public:
-  // Starts connecting at once.
+  // Starts connecting at once. Throws std::runtime_error if the certificates cannot be read.
   Connection(const ConnectionOptions& options, const protocol::Hello& hello);
   // Says goodbye, and waits up to a second for it to be received.
   ~Connection();

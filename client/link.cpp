@@ -4,7 +4,7 @@
 #include <boost/asio/connect.hpp>
 #include <boost/asio/error.hpp>
 #include <boost/asio/io_context.hpp>
-#include <boost/asio/write.hpp>
+#include <boost/asio/ssl/error.hpp>
 #include <utility>
 
 #include "common/tcp_options.h"
@@ -33,9 +33,10 @@ bool is_final(Error::Code code) {
 
 }  // namespace
 
-Link::Link(asio::io_context& io, Events events)
+Link::Link(asio::io_context& io, protocol::Stream::Tls tls, Events events)
     : resolver_(io),
-      socket_(io),
+      tls_(std::move(tls)),
+      stream_(asio::ip::tcp::socket(io)),
       timer_(io),
       events_(std::move(events)),
       read_buffer_(protocol::kReadBufferBytes),
@@ -46,6 +47,7 @@ void Link::open(const common::HostPort& server, const protocol::Hello& hello,
   Envelope envelope;
   *envelope.mutable_hello() = hello;
   hello_ = protocol::encode(envelope);
+  host_ = server.host;
   expect_within(timeout, "no connection in time");
   resolver_.async_resolve(server.host, std::to_string(server.port),
                           [self = shared_from_this()](const ErrorCode& ec, const auto& endpoints) {
@@ -56,34 +58,50 @@ void Link::open(const common::HostPort& server, const protocol::Hello& hello,
 
 void Link::connect(const asio::ip::tcp::resolver::results_type& endpoints) {
   if (state_ != State::Connecting) return;
-  asio::async_connect(socket_, endpoints,
-                      [self = shared_from_this()](const ErrorCode& ec, const auto&) {
-                        if (ec) return self->fail(ec, "connect");
-                        if (self->state_ != State::Connecting) return;
-                        self->state_ = State::AwaitingWelcome;
-                        common::set_tcp_options(self->socket_.native_handle(),
-                                                {protocol::kIdleTimeout, protocol::kUnsentBytes});
-                        self->write(std::move(self->hello_));
-                        self->read();
-                      });
+  asio::async_connect(
+      stream_.socket(), endpoints, [self = shared_from_this()](const ErrorCode& ec, const auto&) {
+        if (ec) return self->fail(ec, "connect");
+        if (self->state_ != State::Connecting) return;
+        common::set_tcp_options(
+            self->stream_.socket().native_handle(),
+            {.user_timeout = protocol::kIdleTimeout, .unsent_bytes = protocol::kUnsentBytes});
+        self->tls_ ? self->secure() : self->say_hello();
+      });
+}
+
+void Link::secure() {
+  stream_.handshake_as_client(tls_, host_, [self = shared_from_this()](const ErrorCode& ec) {
+    if (self->state_ != State::Connecting) return;
+    // A certificate that is not trusted now will not be in a second either.
+    const bool distrusted = ec.category() == asio::error::get_ssl_category();
+    if (distrusted) return self->end(LinkEnd::Kind::Refused, "TLS: " + ec.message());
+    if (ec) return self->fail(ec, "TLS");
+    self->say_hello();
+  });
+}
+
+void Link::say_hello() {
+  state_ = State::AwaitingWelcome;
+  write(std::move(hello_));
+  read();
 }
 
 // --- reading ---
 
 void Link::read() {
-  socket_.async_read_some(asio::buffer(read_buffer_), [self = shared_from_this()](
-                                                          const ErrorCode& ec, std::size_t size) {
-    if (self->state_ == State::Ended) return;
-    if (ec == asio::error::eof) {
-      return self->end(LinkEnd::Kind::Lost, "the server closed the connection");
-    }
-    if (ec) return self->fail(ec, "read");
-    if (self->state_ == State::Running || self->state_ == State::Draining) {
-      self->expect_within(protocol::kIdleTimeout, "the server has fallen silent");
-    }
-    self->take(std::span(self->read_buffer_).first(size));
-    if (self->state_ != State::Ended) self->read();
-  });
+  stream_.read_some(asio::buffer(read_buffer_),
+                    [self = shared_from_this()](const ErrorCode& ec, std::size_t size) {
+                      if (self->state_ == State::Ended) return;
+                      if (ec == asio::error::eof) {
+                        return self->end(LinkEnd::Kind::Lost, "the server closed the connection");
+                      }
+                      if (ec) return self->fail(ec, "read");
+                      if (self->state_ == State::Running || self->state_ == State::Draining) {
+                        self->expect_within(protocol::kIdleTimeout, "the server has fallen silent");
+                      }
+                      self->take(std::span(self->read_buffer_).first(size));
+                      if (self->state_ != State::Ended) self->read();
+                    });
 }
 
 void Link::take(std::span<const std::byte> input) {
@@ -164,13 +182,13 @@ void Link::send_control(const Envelope& envelope) {
 
 void Link::write(std::string bytes) {
   writing_ = std::move(bytes);
-  asio::async_write(socket_, asio::buffer(writing_),
-                    [self = shared_from_this()](const ErrorCode& ec, std::size_t) {
-                      if (self->state_ == State::Ended) return;
-                      if (ec) return self->fail(ec, "write");
-                      self->writing_.clear();
-                      self->write_next();
-                    });
+  stream_.write(asio::buffer(writing_),
+                [self = shared_from_this()](const ErrorCode& ec, std::size_t) {
+                  if (self->state_ == State::Ended) return;
+                  if (ec) return self->fail(ec, "write");
+                  self->writing_.clear();
+                  self->write_next();
+                });
 }
 
 void Link::write_next() {
@@ -210,9 +228,8 @@ void Link::fail(const ErrorCode& ec, const char* what) {
 void Link::end(LinkEnd::Kind kind, std::string text, std::chrono::milliseconds retry_after) {
   const State before = std::exchange(state_, State::Ended);
   if (before == State::Ended) return;
-  ErrorCode ignored;
   resolver_.cancel();
-  socket_.close(ignored);
+  stream_.close();
   timer_.cancel();
   if (before == State::Closing) kind = LinkEnd::Kind::Closed;
   events_.ended({kind, std::move(text), retry_after});

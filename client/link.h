@@ -16,6 +16,7 @@
 #include "common/host_port.h"
 #include "protocol/amalgam.pb.h"
 #include "protocol/framing.h"
+#include "protocol/stream.h"
 
 namespace amalgam::client {
 
@@ -41,7 +42,8 @@ class Link : public std::enable_shared_from_this<Link> {
     std::function<void(LinkEnd)> ended;
   };
 
-  Link(boost::asio::io_context& io, Events events);
+  // tls: null for a server that does not encrypt.
+  Link(boost::asio::io_context& io, protocol::Stream::Tls tls, Events events);
 
   // Connects, says hello and waits for the welcome, all within the time-out.
   void open(const common::HostPort& server, const protocol::Hello& hello,
@@ -60,6 +62,8 @@ class Link : public std::enable_shared_from_this<Link> {
   using ErrorCode = boost::system::error_code;
   enum class State { Connecting, AwaitingWelcome, Running, Draining, Closing, Ended };
 
+  void secure();
+  void say_hello();
   void connect(const boost::asio::ip::tcp::resolver::results_type& endpoints);
   void read();
   void take(std::span<const std::byte> input);
@@ -73,11 +77,12 @@ class Link : public std::enable_shared_from_this<Link> {
   void end(LinkEnd::Kind kind, std::string text, std::chrono::milliseconds retry_after = {});
 
   boost::asio::ip::tcp::resolver resolver_;
-  boost::asio::ip::tcp::socket socket_;
+  protocol::Stream::Tls tls_;
+  protocol::Stream stream_;
   boost::asio::steady_timer timer_;
   Events events_;
   State state_ = State::Connecting;
-  std::string hello_;
+  std::string host_, hello_;
   std::vector<std::byte> read_buffer_;
   protocol::Decoder decoder_;
   std::deque<std::string> control_;  // sent before frames

@@ -173,6 +173,12 @@ std::optional<Options> parse_options(int argc, const char* const* argv, int& exi
       ->check(CLI::Range(0.1, 3600.0));
   app.add_option("--token-file", options.token_file, "file with the server's secret")
       ->type_name("FILE");
+  auto* const tls = app.add_flag("--tls", options.connection.tls,
+                                 "encrypt, and ask the server for a certificate of its name");
+  app.add_option("--ca", options.connection.certificate_authority,
+                 "certificates that are trusted with --tls; without it the system's")
+      ->type_name("PEM")
+      ->needs(tls);
   add_source(app, options);
   add_sink(app, options);
   add_markers(app, board, smoothing, options.viewer.dead_band);

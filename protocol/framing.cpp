@@ -13,27 +13,33 @@ constexpr std::byte tag_of(int field) {
   return static_cast<std::byte>((field << 3) | 2);
 }
 
-bool may_hold_image(Envelope::BodyCase body) {
-  return body == Envelope::kCameraFrame || body == Envelope::kEnvironment ||
-         body == Envelope::kComposite;
+std::size_t limit_of(std::byte first, const SizeLimits& limits) {
+  if (first == tag_of(Envelope::kCameraFrameFieldNumber)) return limits.camera_frame;
+  if (first == tag_of(Envelope::kEnvironmentFieldNumber)) return limits.environment;
+  if (first == tag_of(Envelope::kCompositeFieldNumber)) return limits.composite;
+  return limits.control;
 }
 
-bool begins_image(std::byte first) {
-  return first == tag_of(Envelope::kCameraFrameFieldNumber) ||
-         first == tag_of(Envelope::kEnvironmentFieldNumber) ||
-         first == tag_of(Envelope::kCompositeFieldNumber);
+std::size_t largest(const SizeLimits& limits) {
+  return std::max({limits.control, limits.camera_frame, limits.environment, limits.composite});
 }
 
 }  // namespace
 
 SizeLimits limits_before_hello() {
-  return {kMaxBeforeHelloBytes, kMaxBeforeHelloBytes};
+  return {kMaxBeforeHelloBytes, kMaxBeforeHelloBytes, kMaxBeforeHelloBytes, kMaxBeforeHelloBytes};
 }
 SizeLimits limits_of_server() {
-  return {kMaxControlBytes, kMaxCameraFrameBytes};
+  return {.control = kMaxControlBytes,
+          .camera_frame = kMaxCameraFrameBytes,
+          .environment = kMaxCameraFrameBytes,
+          .composite = kMaxControlBytes};
 }
 SizeLimits limits_of_client() {
-  return {kMaxControlBytes, kMaxCompositeBytes};
+  return {.control = kMaxControlBytes,
+          .camera_frame = kMaxControlBytes,
+          .environment = kMaxControlBytes,
+          .composite = kMaxCompositeBytes};
 }
 
 std::string encode(const Envelope& envelope) {
@@ -61,11 +67,10 @@ Decoder::Result Decoder::next(std::span<const std::byte>& input) {
     }
     if (received_ == kLengthBytes) {
       if (const auto defect = judge_kind(input.front())) return fail(*defect);
-      body_.reserve(length_);
     }
     const std::size_t missing = kLengthBytes + length_ - received_;
     const std::size_t taken = std::min(missing, input.size());
-    body_.append(reinterpret_cast<const char*>(input.data()), taken);
+    if (const auto defect = keep(input.first(taken))) return fail(*defect);
     input = input.subspan(taken);
     received_ += taken;
     if (taken == missing) return finish();
@@ -75,35 +80,58 @@ Decoder::Result Decoder::next(std::span<const std::byte>& input) {
 
 std::optional<std::string> Decoder::judge_length() const {
   if (length_ == 0) return "a message of length 0";
-  if (length_ > limits_.image) {
+  if (length_ > largest(limits_)) {
     return "a message of " + std::to_string(length_) + " bytes where at most " +
-           std::to_string(limits_.image) + " are accepted";
+           std::to_string(largest(limits_)) + " are accepted";
   }
   return std::nullopt;
 }
 
 std::optional<std::string> Decoder::judge_kind(std::byte first) const {
-  if (length_ <= limits_.control || begins_image(first)) return std::nullopt;
-  return "a message without an image of " + std::to_string(length_) + " bytes where at most " +
-         std::to_string(limits_.control) + " are accepted";
+  const std::size_t limit = limit_of(first, limits_);
+  if (length_ <= limit) return std::nullopt;
+  return "a message of its kind of " + std::to_string(length_) + " bytes where at most " +
+         std::to_string(limit) + " are accepted";
+}
+
+// Bytes of a frame that will be refused are not kept.
+std::optional<std::string> Decoder::keep(std::span<const std::byte> bytes) {
+  switch (scan_.take(bytes)) {
+    case EnvelopeScan::Verdict::Bad:
+      return scan_.defect();
+    case EnvelopeScan::Verdict::TooManyPoses:
+      std::string().swap(body_);  // assigning would keep the memory
+      return std::nullopt;
+    case EnvelopeScan::Verdict::Good:
+      break;
+  }
+  // At once for the whole, or growing would copy it again and again.
+  if (body_.empty()) body_.reserve(length_);
+  body_.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  return std::nullopt;
 }
 
 Decoder::Result Decoder::fail(std::string what) {
   failure_ = Failure{std::move(what)};
-  body_ = std::string();
+  std::string().swap(body_);  // assigning would keep the memory
   return *failure_;
 }
 
 Decoder::Result Decoder::finish() {
-  Envelope envelope;
-  if (!envelope.ParseFromString(body_)) return fail("bytes that are no Envelope");
-  // Protobuf lets a later field of a oneof replace an earlier one, which judge_kind() cannot see.
-  if (length_ > limits_.control && !may_hold_image(envelope.body_case())) {
-    return fail("a message without an image that begins as one with an image");
-  }
-  received_ = 0;
+  const std::string body = std::exchange(body_, std::string());
+  EnvelopeScan scan = std::exchange(scan_, EnvelopeScan());
+  const std::size_t bytes = std::exchange(received_, 0);
   length_ = 0;
-  body_.clear();
+  switch (scan.finish()) {
+    case EnvelopeScan::Verdict::Bad:
+      return fail(scan.defect());
+    case EnvelopeScan::Verdict::TooManyPoses:
+      return TooManyPoses{scan.frame_id(), bytes};
+    case EnvelopeScan::Verdict::Good:
+      break;
+  }
+  Envelope envelope;
+  if (!envelope.ParseFromString(body)) return fail("bytes that are no Envelope");
   return envelope;
 }
 

@@ -1,5 +1,6 @@
 // Frames Envelopes in a byte stream: a 4-byte little-endian length, then one Envelope. Used by both
-// ends. A length is checked before anything is allocated for it.
+// ends. A length is checked before anything is allocated for it, and the bytes are looked at before
+// any is parsed (envelope_scan.h).
 #pragma once
 
 #include <cstddef>
@@ -9,13 +10,17 @@
 #include <variant>
 
 #include "protocol/amalgam.pb.h"
+#include "protocol/envelope_scan.h"
 
 namespace amalgam::protocol {
 
-// The largest accepted Envelope, in bytes, by its first byte.
+// The largest accepted Envelope, in bytes, by its first byte. Whoever never receives a kind with an
+// image takes no more of it than of a control message.
 struct SizeLimits {
   std::size_t control = 0;
-  std::size_t image = 0;  // CameraFrame, Environment, Composite
+  std::size_t camera_frame = 0;
+  std::size_t environment = 0;
+  std::size_t composite = 0;
 };
 SizeLimits limits_before_hello();
 SizeLimits limits_of_server();  // what a server accepts after the hello
@@ -30,7 +35,11 @@ class Decoder {
   struct Failure {  // PROTOCOL_ERROR: the stream cannot be read any further
     std::string what;
   };
-  using Result = std::variant<NeedMore, Envelope, Failure>;
+  struct TooManyPoses {  // a CameraFrame that was neither kept nor parsed; the next message follows
+    std::uint64_t frame_id = 0;
+    std::size_t message_bytes = 0;
+  };
+  using Result = std::variant<NeedMore, Envelope, Failure, TooManyPoses>;
 
   explicit Decoder(const SizeLimits& limits) : limits_(limits) {}
 
@@ -47,6 +56,7 @@ class Decoder {
  private:
   std::optional<std::string> judge_length() const;
   std::optional<std::string> judge_kind(std::byte first) const;
+  std::optional<std::string> keep(std::span<const std::byte> bytes);
   Result fail(std::string what);
   Result finish();
 
@@ -54,6 +64,7 @@ class Decoder {
   std::size_t received_ = 0;  // of the current message, its length included
   std::size_t length_ = 0;
   std::string body_;
+  EnvelopeScan scan_;
   std::optional<Failure> failure_;
 };
 

@@ -53,6 +53,22 @@ inline constexpr std::chrono::milliseconds kMaxCaptureLead{10000};
 // Supervisors kill after 25 to 30 s; this leaves time for a clean end.
 inline constexpr std::chrono::milliseconds kDrainTimeout{20000};
 inline constexpr std::chrono::milliseconds kRetryAfter{2000};
+// A tile takes milliseconds, a pass a second at most: a renderer that shows no progress for longer
+// is stuck. Leaves a second of the five that supervisors are promised.
+inline constexpr std::chrono::milliseconds kStuckAfter{4000};
+// Half-sent requests of the admin port. Monitoring systems send theirs in one packet.
+inline constexpr std::chrono::milliseconds kAdminTimeout{2000};
+
+// --- rates ---
+// Light changes slowly, and each change costs all clients the extraction of lights.
+inline constexpr double kEnvironmentsPerSecond = 1.0;
+inline constexpr double kEnvironmentBurst = 2.0;
+
+// --- admission ---
+// Part of the renderer's time that sessions may need together. The rest is for frames that cost
+// more than the last ones did.
+inline constexpr double kMaxLoad = 0.85;
+inline constexpr std::uint64_t kMaxSessionMemory = std::uint64_t{8} * 1024 * 1024 * 1024;
 
 // --- counts ---
 inline constexpr std::size_t kMaxConnections = 256;
@@ -67,6 +83,13 @@ inline constexpr std::size_t kReadBufferBytes = 64 * 1024;  // after the hello; 
 // Unsent bytes that the kernel may buffer. More would be old frames that newest-wins cannot
 // replace.
 inline constexpr int kUnsentBytes = 64 * 1024;
-// SO_SNDBUF is left to the kernel, because bytes in flight depend on the network.
+// Between two times that freed memory goes back to the system: within the five seconds promised.
+inline constexpr std::chrono::milliseconds kTrimInterval{3500};
+// SO_SNDBUF: what is on its way or unread. Left to itself the kernel takes megabytes, which a
+// reader that stops would find full of old frames.
+inline constexpr int kSendBufferBytes = 256 * 1024;
+// Composites that may be on their way or unread. A Ping follows each, so that its Pong tells when
+// it was read.
+inline constexpr std::size_t kMaxUnreadComposites = 2;
 
 }  // namespace amalgam::protocol

@@ -8,9 +8,12 @@
 
 #include "common/log.h"
 #include "common/run_program.h"
+#include "common/standard_streams.h"
 #include "frame/render_thread.h"
 #include "frame/rendering_threads.h"
 #include "net/server.h"
+#include "protocol/protobuf_log.h"
+#include "server/reloader.h"
 #include "server/server_options.h"
 
 namespace amalgam {
@@ -41,14 +44,16 @@ class NetworkThread {
   std::thread thread_;  // last: begins when everything else is there
 };
 
-void serve(const ServerOptions& options) {
+void serve(const ServerOptions& options, const ReloadOptions& reload_options) {
   frame::limit_llvmpipe_threads(options.render.renderer);
-  std::unique_ptr<frame::FrameService> service;  // outlives the server, which uses it
+  std::unique_ptr<frame::RenderThread> service;  // outlives the server, which uses it
   net::Server server(options.net);
-  server.drain_on_signals();
+  std::optional<Reloader> reloader;
+  server.handle_signals([&] { reloader->reload(); });  // none before the server serves
   NetworkThread network(server);  // answers on the admin port while the scene is loaded
   common::log_info("loading " + options.scene);
-  service = frame::make_render_service(options.scene, options.render);
+  service = std::make_unique<frame::RenderThread>(options.scene, options.render);
+  reloader.emplace(server, *service, reload_options);
   server.serve(*service);
   // For people and for scripts that asked for port 0.
   std::cout << "listening on " << to_string(server.address()) << " admin "
@@ -61,12 +66,16 @@ void serve(const ServerOptions& options) {
 }  // namespace amalgam
 
 int main(int argc, char** argv) {
+  amalgam::common::open_closed_standard_streams();
   // Whoever reads our output may go away; that is no reason to end before the time.
   return amalgam::common::run_program("amalgam-server", [&] {
     const std::optional<amalgam::ServerOptions> options = amalgam::parse_server_options(argc, argv);
     if (!options) return EXIT_SUCCESS;
     amalgam::common::set_log_level(options->log_level);
-    amalgam::serve(*options);
+    amalgam::common::set_log_format(options->log_format);
+    amalgam::protocol::take_over_protobuf_log();
+    const amalgam::common::BackgroundLog log;
+    amalgam::serve(*options, [=] { return *amalgam::parse_server_options(argc, argv); });
     return EXIT_SUCCESS;
   });
 }

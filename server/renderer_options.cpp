@@ -69,7 +69,13 @@ void add_renderer_options(CLI::App& app, frame::RendererSettings& settings) {
          names::kExposure, [&settings](const float& exposure) { settings.exposure = exposure; },
          "fixed exposure (factor on scene-linear light, the same for all channels); without it, "
          "metered")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Validator(
+          [](const std::string& text) {
+            float value = 0.0f;
+            const bool good = CLI::detail::lexical_cast(text, value) && value > 0.0f;
+            return good ? std::string() : "'" + text + "' is not a number above 0";
+          },
+          ""));
   app.add_option_function<std::string>(
          names::kMeter,
          [&settings](const std::string& text) {
@@ -120,7 +126,7 @@ void add_renderer_options(CLI::App& app, frame::RendererSettings& settings) {
   app.add_option(names::kThreads, settings.threads,
                  "threads for rendering; 0: one for each core that this process may use, which "
                  "affinity and a container's CPU quota may lessen")
-      ->check(CLI::NonNegativeNumber)
+      ->check(CLI::Range(0, 4096))
       ->capture_default_str();
 }
 

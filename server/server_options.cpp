@@ -2,13 +2,12 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <map>
 #include <stdexcept>
 
 #include "common/build_info.h"
 #include "common/parse_command_line.h"
-#include "common/token_file.h"
 #include "frame/rendering_threads.h"
-#include "net/token.h"
 #include "server/renderer_options.h"
 
 namespace amalgam {
@@ -49,7 +48,62 @@ void add_net_options(CLI::App& app, net::ServerConfig& net) {
   add_count(app, "--max-unauthenticated", net.connections.unauthenticated,
             "clients that have not said hello yet");
   add_count(app, "--max-per-address", net.connections.per_address, "clients from one address");
+  add_seconds(app, "--stuck-after", net.stuck_after,
+              "without progress of the renderer before /livez fails");
+  app.add_option("--environments-per-second", net.session.environments_per_second,
+                 "environments that a client may send in the long run")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1000.0));
+  app.add_option("--max-load", net.admission.load,
+                 "part of the renderer's time that sessions may need together; further ones are "
+                 "told to come back later. 0: no limit")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1000.0));
+  app.add_option("--max-session-memory", net.admission.memory,
+                 "bytes that sessions may need together, as 512MB; 0: no limit")
+      ->capture_default_str()
+      ->transform(CLI::AsSizeValue(false));
   add_count(app, "--max-admin", net.connections.admin, "connections to the admin port");
+}
+
+void add_security_options(CLI::App& app, net::ServerConfig& net, std::string& token_file,
+                          bool& insecure) {
+  app.add_option("--token-file", token_file,
+                 "file with a line for each token that admits clients: the token, and behind it "
+                 "its rights (view, environment; none: all). Without it they need none")
+      ->type_name("FILE");
+  const std::map<std::string, net::EnvironmentFrom> senders{
+      {"none", net::EnvironmentFrom::None},
+      {"authorised", net::EnvironmentFrom::Authorised},
+      {"any", net::EnvironmentFrom::Any}};
+  app.add_option("--environment-from", net.environment_from,
+                 "whose environments change the light for all: none, authorised (by a token with "
+                 "that right, or everybody's where there are no tokens) or any")
+      ->transform(CLI::CheckedTransformer(senders).description(""))
+      ->default_str("authorised");
+  app.add_option("--trusted-proxy", net.trusted_proxies,
+                 "address whose connections begin with a PROXY header (version 2); repeatable")
+      ->type_name("ADDRESS");
+  app.add_option("--tls-certificate", net.tls.certificate,
+                 "chain of certificates; turns TLS 1.3 on")
+      ->type_name("PEM");
+  app.add_option("--tls-key", net.tls.key, "its private key")->type_name("PEM");
+  app.add_flag("--insecure", insecure,
+               "serve other machines although neither a token nor TLS is asked for");
+}
+
+bool is_loopback(const std::string& address) {
+  return address.rfind("127.", 0) == 0 || address == "::1" || address.rfind("::ffff:127.", 0) == 0;
+}
+
+// Whoever opens a server to a network should have meant to.
+void check_exposure(const net::ServerConfig& net, bool insecure) {
+  if (insecure || is_loopback(net.listen.host) || !net.grants.empty() ||
+      !net.tls.certificate.empty()) {
+    return;
+  }
+  throw std::invalid_argument("anybody could use " + to_string(net.listen) +
+                              ": give --token-file or --tls-certificate, or say --insecure");
 }
 
 }  // namespace
@@ -66,6 +120,8 @@ std::optional<ServerOptions> parse_server_options(int argc, const char* const* a
     return common::version_line("amalgam-server") + "; " + frame::ray_tracer_version();
   });
   app.set_config("--config", "", "file with these options, as 'threads = 4' (TOML or INI)");
+  // A mistyped key would leave a limit, or a token, unset without a word.
+  app.allow_config_extras(CLI::config_extras_mode::error);
   app.add_option("--scene", options.scene, "glTF scene to serve")
       ->capture_default_str()
       ->type_name("FILE");
@@ -75,9 +131,8 @@ std::optional<ServerOptions> parse_server_options(int argc, const char* const* a
   app.add_option("--admin", admin, "where /livez /readyz /metrics /state are; port 0 as above")
       ->capture_default_str()
       ->type_name("ADDRESS:PORT");
-  app.add_option("--token-file", token_file,
-                 "file with the secret that clients must send; without it they need none")
-      ->type_name("FILE");
+  bool insecure = false;
+  add_security_options(app, options.net, token_file, insecure);
   tools::add_renderer_options(app, options.render.renderer);
   app.add_option("--quality", options.render.renderer.jpeg_quality,
                  "JPEG quality, 1 to 100, of composites for clients that leave it to the server, "
@@ -89,14 +144,17 @@ std::optional<ServerOptions> parse_server_options(int argc, const char* const* a
   app.add_option("--log-level", options.log_level, "how much is logged to standard error")
       ->capture_default_str()
       ->check(CLI::IsMember({"trace", "debug", "info", "warn", "error", "off"}));
+  app.add_option("--log-format", options.log_format, "of each line: text, or json for an object")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"text", "json"}));
   add_net_options(app, options.net);
 
   if (!common::parse_command_line(app, argc, argv)) return std::nullopt;
   options.net.listen = common::parse_host_port(listen);
   options.net.admin = common::parse_host_port(admin);
   options.net.ray_tracer = frame::ray_tracer_version();
-  if (!token_file.empty())
-    options.net.token = common::read_token_file(token_file, protocol::kMaxTokenBytes);
+  if (!token_file.empty()) options.net.grants = net::read_grants(token_file);
+  check_exposure(options.net, insecure);
   return options;
 }
 

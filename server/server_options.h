@@ -12,6 +12,7 @@ namespace amalgam {
 struct ServerOptions {
   std::string scene;  // path of a glTF file
   std::string log_level = "info";
+  std::string log_format = "text";
   net::ServerConfig net;
   frame::RenderServiceOptions render;
 };

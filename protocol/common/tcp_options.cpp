@@ -13,6 +13,14 @@ void set_tcp_options(int socket, const TcpOptions& options) {
   set(TCP_NODELAY, 1);
   set(TCP_USER_TIMEOUT, static_cast<int>(options.user_timeout.count()));
   set(TCP_NOTSENT_LOWAT, options.unsent_bytes);
+  if (const int bytes = options.send_buffer_bytes; bytes > 0) {
+    ::setsockopt(socket, SOL_SOCKET, SO_SNDBUF, &bytes, sizeof(bytes));
+  }
+}
+
+void acknowledge_now(int socket) {
+  const int on = 1;
+  ::setsockopt(socket, IPPROTO_TCP, TCP_QUICKACK, &on, sizeof(on));
 }
 
 }  // namespace amalgam::common

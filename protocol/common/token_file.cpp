@@ -1,28 +1,75 @@
 #include "common/token_file.h"
 
 #include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
 #include <stdexcept>
-#include <string_view>
 
 namespace amalgam::common {
+namespace {
 
-std::string read_token_file(const std::filesystem::path& path, std::size_t max_bytes) {
+constexpr std::size_t kMaxFileBytes = 1024 * 1024;  // thousands of tokens
+
+[[noreturn]] void fail(const std::filesystem::path& path, const std::string& what) {
+  throw std::runtime_error("the token file " + path.string() + " " + what);
+}
+
+bool is_utf8(const std::string& text) {
+  try {
+    static_cast<void>(nlohmann::json(text).dump());
+    return true;
+  } catch (const nlohmann::json::type_error&) {
+    return false;
+  }
+}
+
+std::string read(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) throw std::runtime_error("cannot read the token file " + path.string());
   // One byte more than allowed shows that there is more, whatever the size of the file.
-  std::string text(max_bytes + 1, '\0');
+  std::string text(kMaxFileBytes + 1, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(file.gcount()));
-  if (text.size() > max_bytes) {
-    throw std::runtime_error("the token file " + path.string() + " holds more than " +
-                             std::to_string(max_bytes) + " bytes");
+  if (text.size() > kMaxFileBytes) fail(path, "is too large");
+  if (!is_utf8(text)) fail(path, "is not UTF-8");
+  return text;
+}
+
+std::vector<TokenLine> parse(const std::filesystem::path& path, std::size_t max_bytes) {
+  std::vector<TokenLine> lines;
+  std::istringstream text(read(path));
+  for (std::string line; std::getline(text, line);) {
+    std::istringstream words(line);
+    TokenLine parsed;
+    if (!(words >> parsed.token)) continue;
+    if (parsed.token.size() > max_bytes) {
+      fail(path, "holds a token of more than " + std::to_string(max_bytes) + " bytes");
+    }
+    for (std::string right; words >> right;) parsed.rights.push_back(right);
+    lines.push_back(std::move(parsed));
   }
-  constexpr std::string_view kSpace = " \t\r\n";
-  const std::size_t begin = text.find_first_not_of(kSpace);
-  if (begin == std::string::npos) {
-    throw std::runtime_error("the token file " + path.string() + " is empty");
+  if (lines.empty()) fail(path, "is empty");
+  return lines;
+}
+
+}  // namespace
+
+std::string read_token_file(const std::filesystem::path& path, std::size_t max_bytes) {
+  std::vector<TokenLine> lines = parse(path, max_bytes);
+  if (lines.size() > 1 || !lines.front().rights.empty()) {
+    fail(path, "holds more than one word; a client's holds its token alone");
   }
-  return text.substr(begin, text.find_last_not_of(kSpace) - begin + 1);
+  return std::move(lines.front().token);
+}
+
+std::vector<TokenLine> read_token_lines(const std::filesystem::path& path, std::size_t max_bytes) {
+  namespace fs = std::filesystem;
+  std::error_code ec;
+  const fs::perms permissions = fs::status(path, ec).permissions();
+  if (!ec && (permissions & fs::perms::others_all) != fs::perms::none) {
+    fail(path, "may be used by everybody; chmod o= makes it a secret");
+  }
+  return parse(path, max_bytes);
 }
 
 }  // namespace amalgam::common

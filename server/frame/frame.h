@@ -16,6 +16,7 @@
 #include "common/fisheye_model.h"
 #include "common/image.h"
 #include "common/pose.h"
+#include "core/progress.h"
 #include "core/provenance.h"
 #include "core/ray_counts.h"
 #include "core/timings.h"
@@ -28,6 +29,7 @@ struct FrameInput {
   // The camera image: the client's JPEG, or pixels that are already decoded.
   std::variant<Bytes, common::ImageRgb8> image;
   std::vector<common::MarkerPose> poses;
+  core::Progress* progress = nullptr;  // told how far the frame is; null: nobody asks
 };
 
 // One line of the pass list: a pass that ran, or why it was left out.
@@ -134,6 +136,19 @@ struct EnvironmentInput {
 
 using ViewId = std::uint64_t;
 
+// How busy the renderer is.
+struct ServiceLoad {
+  // Part of the renderer's time that all open views ask for: the sum of rate times cost. Above 1
+  // not all of their frames can be rendered.
+  double demand = 0.0;
+  // Seconds for each pixel of a frame, of recent ones; 0: not known yet.
+  double seconds_per_pixel = 0.0;
+  double frames_per_second = 0.0;          // of an open view, on average
+  std::chrono::milliseconds queue_age{0};  // of the frame that has waited longest
+  // Since the renderer last showed progress with what it is doing; 0: it has nothing to do.
+  std::chrono::milliseconds without_progress{0};
+};
+
 // Renders for many views (a view is one client's camera onto the scene). All functions may be
 // called from any thread and never block on rendering. At most one frame of a view waits; a newer
 // one replaces it.
@@ -142,15 +157,17 @@ class FrameService {
   virtual ~FrameService() = default;
 
   // Called on the render thread when a frame is done; must be quick and must not throw.
-  using Deliver = std::function<void(std::uint64_t frame_id, FrameResult result)>;
+  using Deliver = std::function<void(std::uint64_t ticket, FrameResult result)>;
 
   // Throws std::invalid_argument if common::describe_defect(options.camera) is not empty.
   virtual ViewId open_view(const ViewOptions& options, Deliver deliver) = 0;
 
-  // Returns true if it replaced a waiting frame, which will never be delivered.
-  virtual bool submit(ViewId view, std::uint64_t frame_id, FrameInput input) = 0;
+  // Returns true if it replaced a waiting frame, which will never be delivered. The ticket means
+  // nothing here; it comes back with the result.
+  virtual bool submit(ViewId view, std::uint64_t ticket, FrameInput input) = 0;
 
-  // After this returns, deliver is never called again for the view.
+  // After this returns, deliver is never called again for the view. A frame of it that is being
+  // rendered is cancelled.
   virtual void close_view(ViewId view) = 0;
 
   // Applies to all views of the scene from the next frame on. done is called on the render thread,
@@ -166,6 +183,8 @@ class FrameService {
     std::vector<int> ids;
   };
   virtual MarkerSet markers() const = 0;
+
+  virtual ServiceLoad load() const { return {}; }
 };
 
 }  // namespace amalgam::frame

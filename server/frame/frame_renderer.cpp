@@ -138,6 +138,10 @@ class FrameRenderer::Impl {
     ++environments_;
   }
 
+  void make_current() {
+    if (raster_) raster_->context.make_current();
+  }
+
   const scene::Scene& scene() const { return scene_; }
   const std::string& last_graph() const { return last_graph_; }
 
@@ -145,6 +149,7 @@ class FrameRenderer::Impl {
   FrameOutput render_in_arena(ViewState& view, const FrameInput& input, FrameBuffers* buffers) {
     const core::Stopwatch stopwatch;
     graph::FrameGraph graph;
+    graph.watch(input.progress);
     passes::EnvironmentLights lights = environment_lights(graph);
     const RendererSettings settings = settings_for(view);
     const passes::RenderView render_view =
@@ -237,6 +242,7 @@ class FrameRenderer::Impl {
         .scene = scene::anchor_scene(scene_, input.poses),
         .lights = std::move(lights),
         .samples_per_side = static_cast<int>(std::lround(std::sqrt(settings.samples_per_pixel))),
+        .progress = input.progress,
     };
     const auto& punctual = render_view.scene.punctual_lights;
     render_view.lights.insert(render_view.lights.end(), punctual.begin(), punctual.end());
@@ -301,6 +307,10 @@ FrameOutput FrameRenderer::render(ViewState& view, const FrameInput& input, Fram
 
 void FrameRenderer::set_environment(scene::Environment environment) {
   impl_->set_environment(std::move(environment));
+}
+
+void FrameRenderer::make_current() {
+  impl_->make_current();
 }
 
 const scene::Scene& FrameRenderer::scene() const {

@@ -19,12 +19,16 @@ class FrameRenderer {
   FrameRenderer(scene::Scene scene, const RendererSettings& settings);
   ~FrameRenderer();
 
-  // Throws codec::JpegError if the camera image cannot be used. buffers: filled if given.
+  // Throws codec::JpegError if the camera image cannot be used, core::Cancelled if input.progress
+  // says so. buffers: filled if given.
   FrameOutput render(ViewState& view, const FrameInput& input, FrameBuffers* buffers = nullptr);
 
   // Replaces the scene's environment for all views. Its lights are extracted once, with the next
   // frame.
   void set_environment(scene::Environment environment);
+
+  // After another renderer was made on this thread: this one's OpenGL context is used again.
+  void make_current();
 
   const scene::Scene& scene() const;
   // The last frame's graph in Graphviz's language.

@@ -1,81 +1,67 @@
 #include "frame/render_thread.h"
 
-#include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "codec/jpeg.h"
 #include "common/log.h"
-#include "frame/default_view.h"
-#include "frame/environment_input.h"
-#include "frame/frame_renderer.h"
+#include "frame/scene_renderer.h"
 #include "frame/view_state.h"
-#include "scene/gltf/loader.h"
-#include "scene/marker_ids.h"
 
 namespace amalgam::frame {
-namespace {
-
-FrameService::MarkerSet marker_set(const scene::Scene& scene) {
-  return {.dictionary = scene.world.dictionary,
-          .marker_length = scene.world.marker_length,
-          .world_marker = scene.world.marker,
-          .ids = scene::marker_ids(scene)};
-}
-
-// Renders a small frame and drops it. This compiles shaders and draws shadow maps; otherwise the
-// first client would wait seconds for them.
-void warm_up(FrameRenderer& renderer) {
-  ViewState view({.camera = common::default_camera(160, 120)});
-  const common::ImageRgb8 grey(view.options.camera.width, view.options.camera.height,
-                               common::Rgb8(128));
-  renderer.render(view, {grey, {default_pose(renderer.scene().world.marker)}});
-}
-
-}  // namespace
 
 struct RenderThread::View {
-  View(const ViewOptions& options, Deliver deliver_to)
-      : state(options), deliver(std::move(deliver_to)) {}
+  View(ViewId view_id, const ViewOptions& view_options, Deliver deliver_to)
+      : id(view_id), options(view_options), deliver(std::move(deliver_to)) {}
 
   struct Waiting {
-    std::uint64_t frame_id = 0;
+    std::uint64_t ticket = 0;
     FrameInput input;
   };
 
-  ViewState state;  // used by the render thread only
+  const ViewId id;
+  const ViewOptions options;
+  std::unique_ptr<ViewRenderer::State> state;  // used by the render thread only; made by a frame
   common::Mailbox<Waiting> mailbox;
-  bool has_work = false;  // under RenderThread::mutex_
   std::mutex delivering;
   bool closed = false;  // under delivering
   Deliver deliver;
 };
 
-RenderThread::RenderThread(const std::string& scene_path, const RenderServiceOptions& options) {
-  std::promise<MarkerSet> started;
+RenderThread::RenderThread(const MakeRenderer& make) {
+  std::promise<void> started;
   auto ready = started.get_future();
-  thread_ = std::jthread([this, &scene_path, &options, &started](std::stop_token stop) {
-    run(std::move(stop), scene_path, options, started);
-  });
-  markers_ = ready.get();
+  thread_ = std::jthread(
+      [this, &make, &started](std::stop_token stop) { run(std::move(stop), make, started); });
+  ready.get();
 }
 
-RenderThread::~RenderThread() = default;
+RenderThread::RenderThread(const std::string& scene_path, const RenderServiceOptions& options)
+    : RenderThread(renderer_of_file(scene_path, options.renderer)) {}
+
+RenderThread::~RenderThread() {
+  thread_.request_stop();
+  progress_.cancel();
+}
 
 ViewId RenderThread::open_view(const ViewOptions& options, Deliver deliver) {
-  auto view = std::make_shared<View>(options, std::move(deliver));
+  static_cast<void>(ViewState(options));  // throws for a camera that cannot be rendered with
   const std::lock_guard lock(mutex_);
-  views_.emplace(++last_id_, std::move(view));
-  return last_id_;
+  const ViewId id = ++last_id_;
+  views_.emplace(id, std::make_shared<View>(id, options, std::move(deliver)));
+  turns_.open(id, static_cast<std::size_t>(options.camera.width) *
+                      static_cast<std::size_t>(options.camera.height));
+  return id;
 }
 
-bool RenderThread::submit(ViewId id, std::uint64_t frame_id, FrameInput input) {
+bool RenderThread::submit(ViewId id, std::uint64_t ticket, FrameInput input) {
   std::optional<View::Waiting> replaced;  // freed after the lock
   {
     const std::lock_guard lock(mutex_);
     const auto found = views_.find(id);
     if (found == views_.end()) return false;
-    replaced = found->second->mailbox.put({frame_id, std::move(input)});
-    found->second->has_work = true;
+    replaced = found->second->mailbox.put({ticket, std::move(input)});
+    turns_.submitted(id, Clock::now());
   }
   work_.notify_one();
   return replaced.has_value();
@@ -89,94 +75,173 @@ void RenderThread::close_view(ViewId id) {
     if (found == views_.end()) return;
     view = std::move(found->second);
     views_.erase(found);
+    turns_.close(id);
+    if (serving_ == id) progress_.cancel();
   }
   const std::lock_guard lock(view->delivering);
   view->closed = true;
 }
 
-void RenderThread::set_environment(EnvironmentInput input,
-                                   std::function<void(std::optional<std::string> error)> done) {
-  std::optional<NewEnvironment> replaced;
+void RenderThread::set_environment(EnvironmentInput input, Done done) {
+  const auto replaced = environment_.put({std::move(input), std::move(done)});
   {
     const std::lock_guard lock(mutex_);
-    replaced = environment_.put({std::move(input), std::move(done)});
-    has_environment_ = true;
+    has_other_ = true;
   }
   work_.notify_one();
   if (replaced) replaced->done("replaced by a newer environment before it was used");
 }
 
-void RenderThread::apply_environment(FrameRenderer& renderer) {
+void RenderThread::replace_renderer(MakeRenderer make, Done done) {
+  const auto replaced = renderer_to_be_.put({std::move(make), std::move(done)});
+  {
+    const std::lock_guard lock(mutex_);
+    has_other_ = true;
+  }
+  work_.notify_one();
+  if (replaced) replaced->done("replaced by a newer one before it was used");
+}
+
+FrameService::MarkerSet RenderThread::markers() const {
+  const std::lock_guard lock(mutex_);
+  return markers_;
+}
+
+ServiceLoad RenderThread::load() const {
+  const auto milliseconds_since = [now = Clock::now()](Clock::time_point time) {
+    return std::chrono::duration_cast<std::chrono::milliseconds>(now - time);
+  };
+  const std::lock_guard lock(mutex_);
+  const Clock::time_point now = Clock::now();
+  ServiceLoad load{.demand = turns_.demand(now),
+                   .seconds_per_pixel = turns_.seconds_per_pixel(),
+                   .frames_per_second = turns_.mean_rate(now)};
+  if (const auto oldest = turns_.oldest_waiting()) load.queue_age = milliseconds_since(*oldest);
+  if (const std::uint64_t steps = progress_.steps(); steps != std::exchange(steps_seen_, steps)) {
+    progress_seen_ = now;
+  }
+  if (working_) load.without_progress = milliseconds_since(progress_seen_);
+  return load;
+}
+
+// --- on the render thread ---
+
+void RenderThread::run(std::stop_token stop, const MakeRenderer& make,
+                       std::promise<void>& started) {
+  try {
+    adopt(make());
+    started.set_value();
+  } catch (...) {
+    renderer_.reset();
+    started.set_exception(std::current_exception());
+    return;
+  }
+  // The constructor has returned: from here on neither make nor the promise may be used.
+  while (wait_for_work(stop)) {
+    apply_renderer();
+    apply_environment();
+    if (const auto view = take_next_view()) serve(*view);
+  }
+  // Views are freed where their states were made.
+  const std::lock_guard lock(mutex_);
+  views_.clear();
+  renderer_.reset();
+}
+
+bool RenderThread::has_work(Clock::time_point now) const {
+  return has_other_ || (turns_.any_waiting() && !turns_.withheld_until(now));
+}
+
+bool RenderThread::wait_for_work(std::stop_token stop) {
+  std::unique_lock lock(mutex_);
+  for (;;) {
+    const auto now = Clock::now();
+    if (stop.stop_requested()) return false;
+    if (has_work(now)) break;
+    const auto until = turns_.withheld_until(now);
+    const auto ready = [&] { return has_work(Clock::now()); };
+    until ? work_.wait_until(lock, stop, *until, ready) : work_.wait(lock, stop, ready);
+  }
+  has_other_ = false;
+  return true;
+}
+
+void RenderThread::apply_renderer() {
+  auto wanted = renderer_to_be_.take();
+  if (!wanted) return;
+  try {
+    adopt(wanted->make());
+    wanted->done(std::nullopt);
+  } catch (const std::exception& error) {
+    renderer_->stay();
+    wanted->done(error.what());
+  }
+}
+
+void RenderThread::adopt(std::unique_ptr<ViewRenderer> renderer) {
+  MarkerSet markers = renderer->markers();
+  Views views;
+  {
+    const std::lock_guard lock(mutex_);
+    views = views_;
+    markers_ = std::move(markers);
+    turns_.assume_seconds_per_pixel(renderer->seconds_per_pixel());
+  }
+  if (renderer_) renderer_->stay();  // while what it made is freed
+  for (const auto& [id, view] : views) view->state.reset();
+  renderer_ = std::move(renderer);
+  renderer_->stay();
+}
+
+void RenderThread::apply_environment() {
   auto update = environment_.take();
   if (!update) return;
   try {
-    renderer.set_environment(make_environment(update->input));
+    renderer_->set_environment(update->input);
     update->done(std::nullopt);
   } catch (const std::exception& error) {
     update->done(error.what());
   }
 }
 
-void RenderThread::run(std::stop_token stop, const std::string& scene_path,
-                       const RenderServiceOptions& options, std::promise<MarkerSet>& started) {
-  std::optional<FrameRenderer> renderer;
-  try {
-    renderer.emplace(scene::load_scene(scene_path), options.renderer);
-    for (const std::string& warning : renderer->scene().warnings) common::log_warn(warning);
-    warm_up(*renderer);
-    started.set_value(marker_set(renderer->scene()));
-  } catch (...) {
-    started.set_exception(std::current_exception());
-    return;
-  }
-  // The constructor has returned: from here on neither the options nor the promise may be used.
-  while (wait_for_work(stop)) {
-    apply_environment(*renderer);
-    if (const auto view = take_next_view()) serve(*renderer, *view);
-  }
-}
-
-RenderThread::Views::iterator RenderThread::find_next_view() {
-  const auto has_work = [](const auto& entry) { return entry.second->has_work; };
-  const auto after = std::find_if(views_.upper_bound(last_served_), views_.end(), has_work);
-  return after != views_.end() ? after : std::find_if(views_.begin(), views_.end(), has_work);
-}
-
-bool RenderThread::wait_for_work(std::stop_token stop) {
-  std::unique_lock lock(mutex_);
-  work_.wait(lock, stop, [&] { return has_environment_ || find_next_view() != views_.end(); });
-  has_environment_ = false;
-  return !stop.stop_requested();
-}
-
 std::shared_ptr<RenderThread::View> RenderThread::take_next_view() {
   const std::lock_guard lock(mutex_);
-  const auto next = find_next_view();
-  if (next == views_.end()) return nullptr;
-  next->second->has_work = false;
-  last_served_ = next->first;
-  return next->second;
+  const auto next = turns_.next(Clock::now());
+  if (!next) return nullptr;
+  serving_ = *next;
+  working_ = true;
+  progress_seen_ = Clock::now();
+  progress_.begin();
+  return views_.at(*next);
 }
 
-void RenderThread::serve(FrameRenderer& renderer, View& view) {
+void RenderThread::serve(View& view) {
   auto waiting = view.mailbox.take();
-  if (!waiting) return;
-  FrameResult result;
-  try {
-    result = renderer.render(view.state, waiting->input);
-  } catch (const codec::JpegError& error) {
-    result = FrameFailure{FrameFailure::Kind::BadImage, error.what()};
-  } catch (const std::exception& error) {
-    common::log_error("frame " + std::to_string(waiting->frame_id) + " failed: " + error.what());
-    result = FrameFailure{FrameFailure::Kind::Internal, error.what()};
+  AMALGAM_CHECK(waiting.has_value(), "a turn for a view without a frame");
+  const Clock::time_point begin = Clock::now();
+  FrameResult result = render(view, waiting->input);
+  {
+    const std::lock_guard lock(mutex_);
+    const Clock::time_point end = Clock::now();
+    turns_.served(view.id, end - begin, end);
+    serving_ = 0;
+    working_ = false;
   }
   const std::lock_guard lock(view.delivering);
-  if (!view.closed) view.deliver(waiting->frame_id, std::move(result));
+  if (!view.closed) view.deliver(waiting->ticket, std::move(result));
 }
 
-std::unique_ptr<FrameService> make_render_service(const std::string& scene_path,
-                                                  const RenderServiceOptions& options) {
-  return std::make_unique<RenderThread>(scene_path, options);
+FrameResult RenderThread::render(View& view, FrameInput& input) {
+  try {
+    input.progress = &progress_;
+    if (!view.state) view.state = renderer_->open(view.options);
+    return renderer_->render(*view.state, input);
+  } catch (const codec::JpegError& error) {
+    return FrameFailure{FrameFailure::Kind::BadImage, error.what()};
+  } catch (const std::exception& error) {
+    // Told to the session, which knows whose frame it is.
+    return FrameFailure{FrameFailure::Kind::Internal, error.what()};
+  }
 }
 
 }  // namespace amalgam::frame

@@ -1,23 +1,26 @@
 // The one thread that renders. It owns the renderer (and with it the OpenGL context) and serves all
-// views in turn.
+// views in turns (turns.h).
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
+#include <functional>
 #include <future>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 
 #include "common/mailbox.h"
+#include "core/progress.h"
 #include "frame/frame.h"
 #include "frame/renderer_settings.h"
+#include "frame/turns.h"
+#include "frame/view_renderer.h"
 
 namespace amalgam::frame {
-
-class FrameRenderer;
-struct ViewState;
 
 struct RenderServiceOptions {
   RendererSettings renderer;
@@ -25,49 +28,71 @@ struct RenderServiceOptions {
 
 class RenderThread : public FrameService {
  public:
-  // Loads the scene and starts the renderer; returns when it is ready. Throws as load_scene() and
-  // FrameRenderer do.
+  using Done = std::function<void(std::optional<std::string> error)>;
+
+  // Makes the renderer on its thread; returns when it is ready. Throws what make throws.
+  explicit RenderThread(const MakeRenderer& make);
+  // Loads the scene. Throws as load_scene() and FrameRenderer do.
   RenderThread(const std::string& scene_path, const RenderServiceOptions& options);
-  // Finishes the frame in flight; waiting frames are dropped.
+  // Cancels the frame in flight; waiting frames are dropped.
   ~RenderThread() override;
 
   ViewId open_view(const ViewOptions& options, Deliver deliver) override;
-  bool submit(ViewId view, std::uint64_t frame_id, FrameInput input) override;
+  bool submit(ViewId view, std::uint64_t ticket, FrameInput input) override;
   void close_view(ViewId view) override;
-  void set_environment(EnvironmentInput input,
-                       std::function<void(std::optional<std::string> error)> done) override;
-  MarkerSet markers() const override { return markers_; }
+  void set_environment(EnvironmentInput input, Done done) override;
+  MarkerSet markers() const override;
+  ServiceLoad load() const override;
+
+  // Between two frames the renderer is replaced by another, for all views. If that cannot be made
+  // the old one stays, and done is told why. done is called on the render thread and must not
+  // throw.
+  void replace_renderer(MakeRenderer make, Done done);
 
  private:
+  using Clock = std::chrono::steady_clock;
   struct View;
   using Views = std::map<ViewId, std::shared_ptr<View>>;
   struct NewEnvironment {
     EnvironmentInput input;
-    std::function<void(std::optional<std::string> error)> done;
+    Done done;
+  };
+  struct NewRenderer {
+    MakeRenderer make;
+    Done done;
   };
 
-  void run(std::stop_token stop, const std::string& scene_path, const RenderServiceOptions& options,
-           std::promise<MarkerSet>& started);
+  void run(std::stop_token stop, const MakeRenderer& make, std::promise<void>& started);
   // False when asked to stop.
   bool wait_for_work(std::stop_token stop);
-  // The next view in turn that has a frame waiting; null if none has.
+  bool has_work(Clock::time_point now) const;  // under mutex_
+  void apply_renderer();
+  void adopt(std::unique_ptr<ViewRenderer> renderer);
+  void apply_environment();
+  // The view whose turn it is; null if nobody's is.
   std::shared_ptr<View> take_next_view();
-  Views::iterator find_next_view();  // under mutex_
-  void apply_environment(FrameRenderer& renderer);
-  static void serve(FrameRenderer& renderer, View& view);
+  void serve(View& view);
+  FrameResult render(View& view, FrameInput& input);
 
   mutable std::mutex mutex_;
   std::condition_variable_any work_;
-  Views views_;  // under mutex_
+  Views views_;             // under mutex_
+  Turns turns_;             // under mutex_
+  MarkerSet markers_;       // under mutex_
+  ViewId last_id_ = 0;      // under mutex_
+  ViewId serving_ = 0;      // under mutex_; 0: none
+  bool has_other_ = false;  // under mutex_: an environment or a renderer waits
   common::Mailbox<NewEnvironment> environment_;
-  bool has_environment_ = false;  // under mutex_
-  ViewId last_id_ = 0;            // under mutex_
-  ViewId last_served_ = 0;        // under mutex_
-  MarkerSet markers_;
-  std::jthread thread_;  // last: everything else must outlive it
-};
+  common::Mailbox<NewRenderer> renderer_to_be_;
 
-std::unique_ptr<FrameService> make_render_service(const std::string& scene_path,
-                                                  const RenderServiceOptions& options);
+  core::Progress progress_;
+  // Under mutex_: whether a frame is being rendered, and what was last seen of its progress.
+  bool working_ = false;
+  mutable std::uint64_t steps_seen_ = 0;
+  mutable Clock::time_point progress_seen_{};
+
+  std::unique_ptr<ViewRenderer> renderer_;  // the render thread's own
+  std::jthread thread_;                     // last: everything else must outlive it
+};
 
 }  // namespace amalgam::frame

@@ -138,6 +138,13 @@ EglContext::~EglContext() {
   eglDestroyContext(display_, context_);
 }
 
+void EglContext::make_current() const {
+  check_thread();
+  if (eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE) {
+    throw std::runtime_error("the OpenGL context cannot be used again (" + egl_error() + ")");
+  }
+}
+
 void EglContext::check_thread() const {
   AMALGAM_CHECK(std::this_thread::get_id() == owner_,
                 "OpenGL used on another thread than the one that made its context");

@@ -19,6 +19,9 @@ class EglContext {
   // Aborts with a message if called on another thread than the owner.
   void check_thread() const;
 
+  // Where one thread has several contexts: this one is used from here on.
+  void make_current() const;
+
   const std::string& platform() const { return platform_; }  // "surfaceless", "device 0", ...
   const std::string& vendor() const { return vendor_; }
   const std::string& renderer() const { return renderer_; }

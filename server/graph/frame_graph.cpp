@@ -79,6 +79,7 @@ void FrameGraph::run(Pass& pass, int index) {
   for (const Read& read : pass.reads) {
     if (read.need == Need::Optional) make_available(read.resource);
   }
+  if (progress_ != nullptr) progress_->step();
   const core::Stopwatch stopwatch;
   pass.execute(Access(*this, index));
   pass.report.milliseconds = stopwatch.milliseconds();

@@ -25,6 +25,7 @@
 #include <vector>
 
 #include "common/log.h"
+#include "core/progress.h"
 #include "core/timings.h"
 
 namespace amalgam::graph {
@@ -107,6 +108,9 @@ class Access {
 
 class FrameGraph {
  public:
+  // Stepped before each pass, which may cancel the frame. May be null.
+  void watch(core::Progress* progress) { progress_ = progress; }
+
   // A resource that exists already.
   template <typename T>
   Handle<T> import(std::string name, T value) {
@@ -211,6 +215,7 @@ class FrameGraph {
   }
 
   std::vector<Resource> resources_;
+  core::Progress* progress_ = nullptr;
   std::vector<Pass> passes_;
 };
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "common/log.h"
+#include "net/quietly.h"
 
 namespace amalgam::net {
 namespace {
@@ -55,6 +56,19 @@ common::HostPort AcceptLoop::address() const {
   return {endpoint.address().to_string(), endpoint.port()};
 }
 
+void AcceptLoop::start() {
+  started_ = true;
+  accept();
+}
+
+void AcceptLoop::restart() {
+  if (!started_ || !acceptor_.is_open()) return;
+  error_code ignored;
+  acceptor_.cancel(ignored);
+  pause_.cancel();
+  accept();
+}
+
 void AcceptLoop::accept() {
   acceptor_.async_accept([this](const error_code& ec, tcp::socket socket) {
     if (ec == asio::error::operation_aborted) return;
@@ -62,16 +76,26 @@ void AcceptLoop::accept() {
   });
 }
 
+// The one place where what is thrown for a new connection is caught: it alone is lost.
 void AcceptLoop::on_accept(const error_code& ec, tcp::socket socket) {
   if (!acceptor_.is_open()) return;
-  if (!ec) {
-    on_accept_(std::move(socket));
-    return accept();
+  if (ec) {
+    quietly([&] { common::log_warn(common::LogKind::Accept, "accept: " + ec.message()); });
+    return pause();
   }
-  common::log_warn("accept: " + ec.message());
+  try {
+    on_accept_(std::move(socket));
+  } catch (const std::exception& error) {
+    quietly([&] { common::log_error(common::LogKind::Accept, error.what()); });
+  }
+  accept();
+}
+
+void AcceptLoop::pause() {
   pause_.expires_after(kPauseAfterError);
   pause_.async_wait([this](const error_code& cancelled) {
-    if (!cancelled && acceptor_.is_open()) accept();
+    if (cancelled) return;
+    if (acceptor_.is_open()) accept();
   });
 }
 

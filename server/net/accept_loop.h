@@ -1,5 +1,5 @@
 // Accepts connections on one address until it is closed. Pauses if the process runs out of
-// descriptors, instead of spinning.
+// descriptors or memory, instead of spinning or ending.
 #pragma once
 
 #include <boost/asio/io_context.hpp>
@@ -20,17 +20,22 @@ class AcceptLoop {
 
   // Throws std::runtime_error. From here on connections queue up; start() accepts them.
   void listen();
-  void start() { accept(); }
+  void start();
+  // Begins to wait anew. For when something was thrown past all handlers, which may have lost this
+  // one's: Asio itself allocates between a connection and its handler.
+  void restart();
   void close();
   common::HostPort address() const;  // with the actual port if 0 was given
 
  private:
   void accept();
   void on_accept(const boost::system::error_code& ec, boost::asio::ip::tcp::socket socket);
+  void pause();
 
   boost::asio::ip::tcp::acceptor acceptor_;
   boost::asio::steady_timer pause_;
   OnAccept on_accept_;
+  bool started_ = false;
 };
 
 }  // namespace amalgam::net

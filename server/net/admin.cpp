@@ -8,6 +8,10 @@
 #include <optional>
 #include <utility>
 
+#include "common/log.h"
+#include "net/quietly.h"
+#include "protocol/limits.h"
+
 namespace amalgam::net {
 namespace {
 
@@ -17,7 +21,6 @@ using boost::asio::ip::tcp;
 using boost::system::error_code;
 using Response = http::response<http::string_body>;
 
-constexpr std::chrono::seconds kTimeout{5};          // to read a request or write an answer
 constexpr std::uint32_t kMaxHeaderBytes = 8 * 1024;  // browsers stay below
 constexpr std::uint64_t kMaxBodyBytes = 1024;        // no page takes one
 
@@ -29,9 +32,8 @@ struct Page {
 
 Page page_for(const std::string& target, const AdminPages& pages) {
   const std::string path = target.substr(0, target.find('?'));
-  if (path == "/livez") return {http::status::ok, "text/plain", "ok\n"};
-  if (path == "/readyz") {
-    const std::string reason = pages.not_ready();
+  if (path == "/livez" || path == "/readyz") {
+    const std::string reason = path == "/livez" ? pages.not_alive() : pages.not_ready();
     if (reason.empty()) return {http::status::ok, "text/plain", "ok\n"};
     return {http::status::service_unavailable, "text/plain", reason + "\n"};
   }
@@ -48,22 +50,33 @@ class Admin::Connection : public std::enable_shared_from_this<Connection> {
  public:
   Connection(tcp::socket socket, std::shared_ptr<Shared> shared)
       : stream_(std::move(socket)), shared_(std::move(shared)) {
-    ++shared_->connections;
+    place_ = shared_->connections.insert(shared_->connections.end(), this);
   }
-  ~Connection() { --shared_->connections; }
+  ~Connection() { leave(); }
+
+  void close() {
+    leave();
+    error_code ignored;
+    stream_.socket().close(ignored);
+  }
 
   void read() {
     parser_.emplace();
     parser_->header_limit(kMaxHeaderBytes);
     parser_->body_limit(kMaxBodyBytes);
-    stream_.expires_after(kTimeout);
+    stream_.expires_after(protocol::kAdminTimeout);
     http::async_read(stream_, buffer_, *parser_,
                      [self = shared_from_this()](const error_code& ec, std::size_t) {
-                       if (!ec) self->answer();  // otherwise this was the last reference
+                       // Otherwise this was the last reference.
+                       if (!ec) self->guarded([&] { self->answer(); });
                      });
   }
 
  private:
+  void leave() {
+    if (place_) shared_->connections.erase(*std::exchange(place_, std::nullopt));
+  }
+
   void answer() {
     const auto& request = parser_->get();
     response_ = Response(http::status::ok, request.version());
@@ -78,9 +91,20 @@ class Admin::Connection : public std::enable_shared_from_this<Connection> {
     }
     response_.prepare_payload();
     if (request.method() == http::verb::head) response_.body().clear();
-    http::async_write(
-        stream_, response_,
-        [self = shared_from_this()](const error_code& ec, std::size_t) { self->on_written(ec); });
+    http::async_write(stream_, response_,
+                      [self = shared_from_this()](const error_code& ec, std::size_t) {
+                        self->guarded([&] { self->on_written(ec); });
+                      });
+  }
+
+  template <typename Step>
+  void guarded(Step step) {
+    try {
+      step();
+    } catch (const std::exception& error) {
+      quietly([&] { common::log_error(common::LogKind::Accept, error.what()); });
+      close();
+    }
   }
 
   void on_written(const error_code& ec) {
@@ -92,6 +116,7 @@ class Admin::Connection : public std::enable_shared_from_this<Connection> {
 
   beast::tcp_stream stream_;
   std::shared_ptr<Shared> shared_;
+  std::optional<std::list<Connection*>::iterator> place_;
   beast::flat_buffer buffer_{kMaxHeaderBytes + kMaxBodyBytes};
   std::optional<http::request_parser<http::string_body>> parser_;
   Response response_;
@@ -101,11 +126,12 @@ Admin::Admin(boost::asio::io_context& io, const common::HostPort& address,
              std::size_t max_connections, AdminPages pages)
     : shared_(std::make_shared<Shared>(std::move(pages))),
       max_connections_(max_connections),
-      accept_loop_(io, address, [this](tcp::socket socket) {
-        // Above the cap the socket closes right here.
-        if (shared_->connections >= max_connections_) return;
-        std::make_shared<Connection>(std::move(socket), shared_)->read();
-      }) {}
+      accept_loop_(io, address, [this](tcp::socket socket) { accept(std::move(socket)); }) {}
+
+void Admin::accept(tcp::socket socket) {
+  if (shared_->connections.size() >= max_connections_) shared_->connections.front()->close();
+  std::make_shared<Connection>(std::move(socket), shared_)->read();
+}
 
 void Admin::start() {
   accept_loop_.listen();

@@ -1,10 +1,12 @@
 // The admin port: an HTTP server with /livez, /readyz, /metrics and /state. Runs on the network
-// thread, so that an answer proves that this thread is alive.
+// thread, so that an answer proves that this thread is alive. When all places are taken, the oldest
+// connection makes room for a new one, so that slow ones lock nobody out.
 #pragma once
 
 #include <boost/asio/io_context.hpp>
 #include <cstddef>
 #include <functional>
+#include <list>
 #include <memory>
 #include <string>
 
@@ -15,6 +17,7 @@ namespace amalgam::net {
 
 // The pages' contents; called for each request.
 struct AdminPages {
+  std::function<std::string()> not_alive;  // why; empty: the renderer makes progress
   std::function<std::string()> not_ready;  // why; empty: ready
   std::function<std::string()> metrics;    // Prometheus' text format
   std::function<std::string()> state;      // JSON
@@ -26,15 +29,17 @@ class Admin {
         AdminPages pages);
 
   void start();
+  void restart() { accept_loop_.restart(); }
   void close() { accept_loop_.close(); }
   common::HostPort address() const { return accept_loop_.address(); }
 
  private:
   class Connection;
+  void accept(boost::asio::ip::tcp::socket socket);
   // Kept alive by connections, whose last handlers may run after the Admin's end.
   struct Shared {
     AdminPages pages;
-    std::size_t connections = 0;
+    std::list<Connection*> connections;  // the oldest first
   };
   std::shared_ptr<Shared> shared_;
   std::size_t max_connections_;

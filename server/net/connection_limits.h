@@ -1,8 +1,10 @@
 // Counts connections: all, those not yet authenticated, and by address. Refuses those above the
-// caps. Owned by the network thread.
+// caps; addresses that a client was let in from lately still find room when strangers have taken
+// all places. Owned by the network thread.
 #pragma once
 
 #include <cstddef>
+#include <list>
 #include <map>
 #include <optional>
 #include <string>
@@ -25,6 +27,7 @@ class ConnectionLimits {
     Ticket& operator=(Ticket&&) = delete;
     ~Ticket();
     void authenticated();
+    const std::string& address() const { return address_; }
 
    private:
     friend class ConnectionLimits;
@@ -35,16 +38,34 @@ class ConnectionLimits {
   };
 
   enum class Refusal { Total, Unauthenticated, PerAddress };
+  // address: an address_key().
   std::variant<Ticket, Refusal> admit(const std::string& address);
+  // A proxy's connection turns out to be this address's.
+  std::optional<Refusal> move(Ticket& ticket, const std::string& address);
+  // For connections of trusted proxies, until their header is read.
+  std::variant<Ticket, Refusal> admit_proxy(const std::string& address);
+  void set_caps(const ConnectionCaps& caps) { caps_ = caps; }
 
   bool full() const { return total_ >= caps_.total; }
+  bool full_of_strangers() const { return unauthenticated_ >= caps_.unauthenticated; }
   std::size_t total() const { return total_; }
+  std::size_t unauthenticated() const { return unauthenticated_; }
 
  private:
+  static constexpr std::size_t kMaxKnown = 1024;
+
+  std::optional<Refusal> judge_totals(const std::string& address) const;
+  bool address_is_full(const std::string& address) const;
+  void count_address(const std::string& address);
+  void uncount_address(const std::string& address);
+  bool is_known(const std::string& address) const;
+  void remember(const std::string& address);
+
   ConnectionCaps caps_;
   std::size_t total_ = 0;
   std::size_t unauthenticated_ = 0;
   std::map<std::string, std::size_t> by_address_;
+  std::list<std::string> known_;  // the latest first
 };
 
 const char* to_string(ConnectionLimits::Refusal refusal);

@@ -27,6 +27,7 @@ std::optional<Deadlines::Passed> Deadlines::passed(Time now) const {
     return std::nullopt;
   }
   if (write_begun_ && now - *write_begun_ >= limits_.write_timeout) return Passed::SlowReader;
+  if (unread_since_ && now - *unread_since_ >= limits_.write_timeout) return Passed::SlowReader;
   if (too_slow(now)) return Passed::SlowSender;
   if (!message_begun_ && now - heard_ >= limits_.idle_timeout) return Passed::Idle;
   return std::nullopt;
@@ -55,6 +56,7 @@ Deadlines::Time Deadlines::next() const {
   next = std::min(next, message_begun_ ? *message_begun_ + limits_.message_timeout
                                        : heard_ + limits_.idle_timeout);
   if (write_begun_) next = std::min(next, *write_begun_ + limits_.write_timeout);
+  if (unread_since_) next = std::min(next, *unread_since_ + limits_.write_timeout);
   return next;
 }
 

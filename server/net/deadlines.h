@@ -25,6 +25,8 @@ class Deadlines {
   void received_part(std::size_t bytes, Time now);
   void write_begun(Time now) { write_begun_ = now; }
   void write_ended() { write_begun_.reset(); }
+  // The oldest composite that is not known to be read was written then; nothing: all are read.
+  void unread_since(std::optional<Time> time) { unread_since_ = time; }
 
   std::optional<Passed> passed(Time now) const;
 
@@ -45,6 +47,7 @@ class Deadlines {
   std::optional<Time> message_begun_;
   std::size_t message_bytes_ = 0;
   std::optional<Time> write_begun_;
+  std::optional<Time> unread_since_;
 };
 
 }  // namespace amalgam::net

@@ -19,9 +19,9 @@ void FrameLedger::submit(Entry entry, bool replaced) {
   entries_.push_back(std::move(entry));
 }
 
-std::optional<FrameLedger::Entry> FrameLedger::deliver(std::uint64_t number) {
+std::optional<FrameLedger::Entry> FrameLedger::deliver(std::uint64_t ticket) {
   const auto found = std::find_if(entries_.begin(), entries_.end(),
-                                  [&](const Entry& entry) { return entry.number == number; });
+                                  [&](const Entry& entry) { return entry.ticket == ticket; });
   if (found == entries_.end()) return std::nullopt;
   Entry entry = std::move(*found);
   entries_.erase(found);

@@ -19,19 +19,19 @@ class FrameLedger {
   explicit FrameLedger(Metrics& metrics) : metrics_(metrics) {}
 
   struct Entry {
-    std::uint64_t number = 0;  // ours, because the client's is not checked
+    std::uint64_t ticket = 0;  // ours, because the client's id is not checked
     std::uint64_t frame_id = 0;
     std::uint64_t capture_time_us = 0;
     std::vector<common::MarkerPose> poses;  // rendered with
     std::chrono::steady_clock::time_point arrival;
   };
 
-  // Returns the frame's number, counted from 1.
+  // Returns the frame's ticket, counted from 1.
   std::uint64_t receive(std::size_t message_bytes);
   // The renderer took the frame. replaced: it dropped a waiting one for it.
   void submit(Entry entry, bool replaced);
   // The renderer is done with the frame. Nothing if the frame has been abandoned.
-  std::optional<Entry> deliver(std::uint64_t number);
+  std::optional<Entry> deliver(std::uint64_t ticket);
   void sent(std::size_t message_bytes);
   void skip(Skip reason, std::size_t count = 1);
   // The session has left the renderer: frames there will never come back.

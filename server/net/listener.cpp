@@ -1,9 +1,12 @@
 #include "net/listener.h"
 
+#include <algorithm>
 #include <boost/asio/buffer.hpp>
 #include <utility>
 #include <variant>
 
+#include "net/address_key.h"
+#include "net/wire.h"
 #include "protocol/framing.h"
 #include "protocol/limits.h"
 
@@ -11,14 +14,6 @@ namespace amalgam::net {
 namespace {
 
 using boost::asio::ip::tcp;
-
-std::string encoded_busy() {
-  protocol::Envelope envelope;
-  protocol::Busy& busy = *envelope.mutable_busy();
-  busy.set_retry_after_ms(static_cast<std::uint32_t>(protocol::kRetryAfter.count()));
-  busy.set_reason("too many connections");
-  return protocol::encode(envelope);
-}
 
 // Best effort, without waiting: a few bytes fit the buffer of a new socket.
 void say_and_close(tcp::socket& socket, const std::string& bytes) {
@@ -31,24 +26,42 @@ void say_and_close(tcp::socket& socket, const std::string& bytes) {
 
 }  // namespace
 
-Listener::Listener(boost::asio::io_context& io, const common::HostPort& address,
-                   ConnectionLimits& limits, Metrics& metrics, OnAdmitted on_admitted)
-    : limits_(limits),
+Listener::Listener(boost::asio::io_context& io, const ServerConfig& config,
+                   ConnectionLimits& limits, BackOff& back_off, Metrics& metrics,
+                   OnAdmitted on_admitted)
+    : config_(config),
+      limits_(limits),
+      back_off_(back_off),
       metrics_(metrics),
       on_admitted_(std::move(on_admitted)),
-      busy_(encoded_busy()),
-      accept_loop_(io, address, [this](tcp::socket socket) { judge(std::move(socket)); }) {}
+      accept_loop_(io, config.listen, [this](tcp::socket socket) { judge(std::move(socket)); }) {}
 
 void Listener::judge(tcp::socket socket) {
   boost::system::error_code ec;
   const tcp::endpoint peer = socket.remote_endpoint(ec);
   if (ec) return;  // gone already
-  auto admitted = limits_.admit(peer.address().to_string());
-  if (const auto* refusal = std::get_if<ConnectionLimits::Refusal>(&admitted)) {
-    metrics_.refused(to_string(*refusal));
-    return say_and_close(socket, busy_);
+  const auto& proxies = config_.trusted_proxies;
+  const std::string address = peer.address().to_string();
+  const bool by_proxy = std::find(proxies.begin(), proxies.end(), address) != proxies.end();
+  const std::string key = address_key(peer.address());
+  if (!by_proxy) {
+    const auto left = back_off_.left(key, std::chrono::steady_clock::now());
+    if (left.count() > 0) return refuse(socket, "back_off", left, "too many wrong tokens");
   }
-  on_admitted_(std::move(socket), std::get<ConnectionLimits::Ticket>(std::move(admitted)));
+  auto admitted = by_proxy ? limits_.admit_proxy(key) : limits_.admit(key);
+  if (const auto* refusal = std::get_if<ConnectionLimits::Refusal>(&admitted)) {
+    return refuse(socket, to_string(*refusal), protocol::kRetryAfter, "too many connections");
+  }
+  on_admitted_(
+      {std::move(socket), std::get<ConnectionLimits::Ticket>(std::move(admitted)), by_proxy});
+}
+
+void Listener::refuse(tcp::socket& socket, const char* label, std::chrono::milliseconds retry_after,
+                      const std::string& reason) {
+  metrics_.refused(label);
+  // A client that expects TLS would take a Busy for garbage; a close says as much.
+  if (!config_.tls.certificate.empty()) return;
+  say_and_close(socket, protocol::encode(busy_message(retry_after, reason)));
 }
 
 }  // namespace amalgam::net

@@ -1,5 +1,5 @@
-// Accepts clients' connections. Refuses those above the caps with Busy, before anything is
-// allocated for them, and hands the others on.
+// Accepts clients' connections. Refuses those above the caps, and addresses that sent too many
+// wrong tokens, with Busy, before anything is allocated for them. Hands the others on.
 #pragma once
 
 #include <boost/asio/io_context.hpp>
@@ -8,6 +8,7 @@
 #include <string>
 
 #include "net/accept_loop.h"
+#include "net/back_off.h"
 #include "net/connection_limits.h"
 #include "net/metrics.h"
 #include "net/server_config.h"
@@ -16,23 +17,33 @@ namespace amalgam::net {
 
 class Listener {
  public:
-  using OnAdmitted = std::function<void(boost::asio::ip::tcp::socket, ConnectionLimits::Ticket)>;
+  struct Admitted {
+    boost::asio::ip::tcp::socket socket;
+    ConnectionLimits::Ticket ticket;
+    bool by_proxy = false;  // of a trusted proxy, which says first whom it speaks for
+  };
+  using OnAdmitted = std::function<void(Admitted)>;
 
-  Listener(boost::asio::io_context& io, const common::HostPort& address, ConnectionLimits& limits,
-           Metrics& metrics, OnAdmitted on_admitted);
+  // All but the address outlive the Listener.
+  Listener(boost::asio::io_context& io, const ServerConfig& config, ConnectionLimits& limits,
+           BackOff& back_off, Metrics& metrics, OnAdmitted on_admitted);
 
   void listen() { accept_loop_.listen(); }
   void start() { accept_loop_.start(); }
+  void restart() { accept_loop_.restart(); }
   void close() { accept_loop_.close(); }
   common::HostPort address() const { return accept_loop_.address(); }
 
  private:
   void judge(boost::asio::ip::tcp::socket socket);
+  void refuse(boost::asio::ip::tcp::socket& socket, const char* label,
+              std::chrono::milliseconds retry_after, const std::string& reason);
 
+  const ServerConfig& config_;
   ConnectionLimits& limits_;
+  BackOff& back_off_;
   Metrics& metrics_;
   OnAdmitted on_admitted_;
-  std::string busy_;  // encoded once, so that refusing is cheap
   AcceptLoop accept_loop_;
 };
 

@@ -6,6 +6,12 @@
 #include <prometheus/registry.h>
 #include <prometheus/text_serializer.h>
 
+#include <cctype>
+#include <string_view>
+
+#include "common/build_info.h"
+#include "net/process_figures.h"
+
 namespace amalgam::net {
 namespace {
 
@@ -21,6 +27,26 @@ const Histogram::BucketBoundaries kFractions{0.0, 0.01, 0.02, 0.05, 0.1, 0.2, 0.
 
 const Histogram::BucketBoundaries kLevels{0.0, 1.0,  2.0,  3.0,  4.0,  6.0,
                                           8.0, 12.0, 16.0, 24.0, 32.0, 48.0};
+
+// Of the refusals that there can be, so that all are there from the start.
+constexpr const char* kRefusals[] = {"connections", "unauthenticated", "address", "back_off",
+                                     "load",        "memory"};
+
+constexpr const char* kFates[] = {"applied", "replaced", "unusable", "forbidden", "too_often"};
+
+// Names for people as values of labels: lower case, and what is no letter or digit becomes a _.
+std::string label_of(std::string_view name) {
+  std::string label;
+  for (const char c : name) {
+    const bool letter = std::isalnum(static_cast<unsigned char>(c)) != 0;
+    if (letter) {
+      label += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    } else if (!label.empty() && label.back() != '_') {
+      label += '_';
+    }
+  }
+  return label;
+}
 
 const char* to_string(Skip reason) {
   switch (reason) {
@@ -52,6 +78,9 @@ struct Metrics::Families {
 
   Family<Histogram>& stages =
       histogram("amalgam_stage_seconds", "Time of one stage of a frame, by stage");
+  Histogram& render_time =
+      histogram("amalgam_render_seconds", "Time of all stages of a frame together")
+          .Add({}, kSeconds);
   Histogram& server_time =
       histogram("amalgam_frame_seconds", "From a frame's last byte to its composite, with waiting")
           .Add({}, kSeconds);
@@ -69,14 +98,36 @@ struct Metrics::Families {
       counter("amalgam_frame_bytes_received_total", "Bytes of camera frame messages").Add({});
   Counter& bytes_out =
       counter("amalgam_composite_bytes_sent_total", "Bytes of composite messages").Add({});
-  Gauge& sessions = prometheus::BuildGauge()
-                        .Name("amalgam_sessions")
-                        .Help("Sessions past their hello")
-                        .Register(registry)
-                        .Add({});
+  Gauge& gauge(const std::string& name, const std::string& help) {
+    return prometheus::BuildGauge().Name(name).Help(help).Register(registry).Add({});
+  }
+  Gauge& sessions = gauge("amalgam_sessions", "Sessions past their hello");
+  Gauge& connections = gauge("amalgam_connections", "Connections of clients");
+  Gauge& unauthenticated =
+      gauge("amalgam_connections_unauthenticated", "Connections without a hello so far");
+  Gauge& queue_age =
+      gauge("amalgam_queue_age_seconds", "Of the frame that has waited longest for its turn");
+  Gauge& demand = gauge("amalgam_demand_ratio",
+                        "Part of the renderer's time that sessions ask for: rate times cost");
+  Gauge& without_progress = gauge("amalgam_render_stalled_seconds",
+                                  "Since the renderer last showed progress with a frame");
+  Gauge& session_memory =
+      gauge("amalgam_session_memory_bytes", "Memory that sessions were admitted for");
+  Gauge& cpu = gauge("process_cpu_seconds_total", "CPU time, user and system");
+  Gauge& memory = gauge("process_resident_memory_bytes", "Resident memory");
+  Gauge& descriptors = gauge("process_open_fds", "Open descriptors");
+  Gauge& dropped_lines =
+      gauge("amalgam_log_lines_dropped_total", "Log lines that nobody read in time");
+  Family<Counter>& environments =
+      counter("amalgam_environments_total", "Environments sent by clients, by what became of them");
+  Family<Counter>& reloads =
+      counter("amalgam_reloads_total", "Reloads of scene and configuration, by result");
   Family<Counter>& refusals =
       counter("amalgam_refusals_total", "Connections and sessions refused, by reason");
-  Family<Counter>& errors = counter("amalgam_errors_total", "Errors told to clients, by code");
+  Family<Counter>& errors =
+      counter("amalgam_errors_total",
+              "Mistakes of clients and failures, by code; a client that is gone or does not read "
+              "never learns of its own");
   Counter& clamped =
       counter("amalgam_capture_times_clamped_total", "Capture times backwards or far ahead")
           .Add({});
@@ -101,6 +152,15 @@ Metrics::Metrics() : families_(std::make_unique<Families>()) {
   for (int code = Error::Code_MIN + 1; code <= Error::Code_MAX; ++code) {
     families_->errors.Add({{"code", Error::Code_Name(static_cast<Error::Code>(code))}});
   }
+  for (const char* reason : kRefusals) families_->refusals.Add({{"reason", reason}});
+  for (const char* fate : kFates) families_->environments.Add({{"result", fate}});
+  for (const char* result : {"done", "kept_the_old"}) families_->reloads.Add({{"result", result}});
+  prometheus::BuildGauge()
+      .Name("amalgam_build_info")
+      .Help("Always 1; the labels tell which server this is")
+      .Register(families_->registry)
+      .Add({{"version", common::version()}, {"instruction_set", common::instruction_set()}})
+      .Set(1.0);
 }
 Metrics::~Metrics() = default;
 
@@ -135,7 +195,12 @@ void Metrics::frame_skipped(Skip reason, std::size_t count) {
 void Metrics::frame_rendered(const frame::FrameOutput& output, double server_ms) {
   const frame::FrameStatistics& statistics = output.statistics;
   for (const core::StageTime& time : statistics.stages) {
-    families_->stages.Add({{"stage", time.stage}}, kSeconds).Observe(time.milliseconds / 1000.0);
+    const double seconds = time.milliseconds / 1000.0;
+    if (time.stage == "total") {
+      families_->render_time.Observe(seconds);  // a sum is no part of itself
+    } else {
+      families_->stages.Add({{"stage", label_of(time.stage)}}, kSeconds).Observe(seconds);
+    }
   }
   families_->server_time.Observe(server_ms / 1000.0);
   if (statistics.pixels.total > 0) {
@@ -153,10 +218,11 @@ void Metrics::frame_rendered(const frame::FrameOutput& output, double server_ms)
   count_rays("lookup", statistics.rays.lookup);
   count_rays("reused", statistics.rays.reused);
   for (const frame::PassRecord& pass : statistics.passes) {
-    if (pass.ran) families_->passes.Add({{"pass", pass.name}}).Increment();
+    if (pass.ran) families_->passes.Add({{"pass", label_of(pass.name)}}).Increment();
   }
   if (const auto& quality = statistics.quality) {
-    families_->quality.Add({{"bound", to_string(quality->bound)}}, kLevels).Observe(quality->level);
+    families_->quality.Add({{"bound", label_of(to_string(quality->bound))}}, kLevels)
+        .Observe(quality->level);
   }
   families_->nonfinite.Increment(static_cast<double>(statistics.nonfinite));
 }
@@ -166,7 +232,29 @@ void Metrics::composite_sent(std::size_t message_bytes) {
   families_->bytes_out.Increment(static_cast<double>(message_bytes));
 }
 
-std::string Metrics::text() const {
+void Metrics::environment(EnvironmentFate fate) {
+  families_->environments.Add({{"result", kFates[static_cast<std::size_t>(fate)]}}).Increment();
+}
+
+void Metrics::reloaded(bool good) {
+  families_->reloads.Add({{"result", good ? "done" : "kept_the_old"}}).Increment();
+}
+
+std::string Metrics::text(const Gauges& gauges) {
+  const auto seconds = [](std::chrono::milliseconds time) {
+    return std::chrono::duration<double>(time).count();
+  };
+  families_->connections.Set(static_cast<double>(gauges.connections));
+  families_->unauthenticated.Set(static_cast<double>(gauges.unauthenticated));
+  families_->queue_age.Set(seconds(gauges.load.queue_age));
+  families_->demand.Set(gauges.load.demand);
+  families_->without_progress.Set(seconds(gauges.load.without_progress));
+  families_->session_memory.Set(static_cast<double>(gauges.session_memory));
+  families_->dropped_lines.Set(static_cast<double>(gauges.dropped_log_lines));
+  const ProcessFigures process = read_process_figures();
+  families_->cpu.Set(process.cpu_seconds);
+  families_->memory.Set(static_cast<double>(process.resident_bytes));
+  families_->descriptors.Set(static_cast<double>(process.open_descriptors));
   return prometheus::TextSerializer().Serialize(families_->registry.Collect());
 }
 

@@ -19,6 +19,17 @@ enum class Skip {
   Closed,  // the session ended first
 };
 
+// What became of an environment that a client sent.
+enum class EnvironmentFate { Applied, Replaced, Unusable, Forbidden, TooOften };
+
+// What is not counted but looked at, when somebody asks for the metrics.
+struct Gauges {
+  std::size_t connections = 0, unauthenticated = 0;
+  std::uint64_t session_memory = 0;  // bytes promised to sessions
+  frame::ServiceLoad load;
+  std::uint64_t dropped_log_lines = 0;
+};
+
 class Metrics {
  public:
   Metrics();
@@ -37,8 +48,11 @@ class Metrics {
   void frame_rendered(const frame::FrameOutput& output, double server_ms);
   void composite_sent(std::size_t message_bytes);
 
+  void environment(EnvironmentFate fate);
+  void reloaded(bool good);
+
   // Prometheus' text format.
-  std::string text() const;
+  std::string text(const Gauges& gauges);
 
  private:
   struct Families;

@@ -1,5 +1,7 @@
 #include "net/server.h"
 
+#include <malloc.h>
+
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/signal_set.hpp>
@@ -13,11 +15,13 @@
 
 #include "common/log.h"
 #include "net/admin.h"
+#include "net/connection.h"
 #include "net/connection_limits.h"
 #include "net/listener.h"
 #include "net/metrics.h"
-#include "net/session.h"
+#include "net/quietly.h"
 #include "net/state_page.h"
+#include "net/tls.h"
 
 namespace amalgam::net {
 namespace {
@@ -32,16 +36,18 @@ class Server::Impl {
   explicit Impl(const ServerConfig& config)
       : config_(config),
         limits_(config.connections),
+        admission_(config.admission),
+        tls_(make_tls_context(config.tls)),
         admin_(io_, config.admin, config.connections.admin,
-               {.not_ready = [this] { return not_ready(); },
-                .metrics = [this] { return metrics_.text(); },
+               {.not_alive = [this] { return not_alive(); },
+                .not_ready = [this] { return not_ready(); },
+                .metrics = [this] { return metrics_.text(gauges()); },
                 .state = [this] { return state(); }}),
-        listener_(io_, config.listen, limits_, metrics_,
-                  [this](asio::ip::tcp::socket socket, ConnectionLimits::Ticket ticket) {
-                    admit(std::move(socket), std::move(ticket));
-                  }),
+        listener_(io_, config_, limits_, back_off_, metrics_,
+                  [this](Listener::Admitted admitted) { admit(std::move(admitted)); }),
         signals_(io_),
-        drain_timer_(io_) {
+        drain_timer_(io_),
+        tick_timer_(io_) {
     admin_.start();
   }
 
@@ -52,21 +58,52 @@ class Server::Impl {
     listener_.listen();  // here, so that the caller can tell the world, or learns that it failed
     asio::post(io_, [this, &service] {
       if (phase_ != Phase::Loading) return;
-      context_.emplace(SessionContext{config_, service, metrics_,
-                                      [this](std::uint64_t session) { on_end(session); }});
+      context_.emplace(ServerContext{config_, service, metrics_, admission_, false});
+      shared_.emplace(Connection::Shared{*context_, limits_, back_off_, tls_});
       listener_.start();
       phase_ = Phase::Serving;
     });
   }
 
-  void run() { io_.run(); }
-
-  void drain_on_signals() {
-    signals_.add(SIGTERM);
-    signals_.add(SIGINT);
-    wait_for_signal();
+  // What is thrown past all guards, because memory is missing, ends nothing but the step that
+  // threw.
+  void run() {
+    bool lost_handlers = true;  // at first: none waits yet
+    for (;;) {
+      try {
+        if (std::exchange(lost_handlers, false)) restart();
+        io_.run();
+        return;
+      } catch (const std::exception& error) {
+        lost_handlers = true;
+        quietly([&] { common::log_error(common::LogKind::Accept, error.what()); });
+      }
+    }
   }
 
+  void handle_signals(std::function<void()> reload) {
+    reload_ = std::move(reload);
+    for (const int signal : {SIGTERM, SIGINT, SIGHUP}) signals_.add(signal);
+  }
+
+  void configure(const ServerConfig& config) {
+    auto tls = make_tls_context(config.tls);  // the one that may throw
+    const common::HostPort listen = config_.listen, admin = config_.admin;
+    config_ = config;
+    config_.listen = listen;
+    config_.admin = admin;
+    tls_ = std::move(tls);
+    limits_.set_caps(config.connections);
+    admission_.set_limits(config.admission);
+  }
+
+  void reload_ended(const std::optional<std::string>& error) {
+    metrics_.reloaded(!error);
+    error ? common::log_error("reload: the old scene and configuration stay: " + *error)
+          : common::log_info("reloaded");
+  }
+
+  void post(std::function<void()> step) { asio::post(io_, std::move(step)); }
   void drain() {
     asio::post(io_, [this] { begin_drain(); });
   }
@@ -80,22 +117,29 @@ class Server::Impl {
  private:
   enum class Phase { Loading, Serving, Draining, Finished };
 
-  void admit(asio::ip::tcp::socket socket, ConnectionLimits::Ticket ticket) {
+  void admit(Listener::Admitted admitted) {
     const std::uint64_t id = ++last_session_;
-    const auto session =
-        std::make_shared<Session>(std::move(socket), std::move(ticket), id, *context_);
+    const auto session = std::make_shared<Connection>(
+        std::move(admitted.socket), std::move(admitted.ticket), admitted.by_proxy, id, *shared_,
+        [this](std::uint64_t ended) { on_end(ended); });
     sessions_.emplace(id, session);
     session->start();
   }
 
   void on_end(std::uint64_t session) {
     sessions_.erase(session);
+    gave_memory_back_ = true;
     if (phase_ == Phase::Draining && sessions_.empty()) finish();
   }
 
   void wait_for_signal() {
-    signals_.async_wait([this](const boost::system::error_code& ec, int) {
+    signals_.async_wait([this](const boost::system::error_code& ec, int signal) {
       if (ec) return;
+      if (signal == SIGHUP) {
+        wait_for_signal();
+        if (phase_ == Phase::Serving) reload_();
+        return;
+      }
       if (phase_ != Phase::Serving) {
         // Asked twice, or nothing is served yet that could be finished. Rendering or loading may be
         // in the middle of something long, so nobody is waited for.
@@ -103,6 +147,34 @@ class Server::Impl {
       }
       begin_drain();
       wait_for_signal();
+    });
+  }
+
+  // Everything that always waits, waits anew.
+  void restart() {
+    boost::system::error_code ignored;
+    signals_.cancel(ignored);
+    if (reload_) wait_for_signal();
+    admin_.restart();
+    listener_.restart();
+    tick();
+  }
+
+  // Twice a second. What sessions and large messages have left behind in the allocator goes back to
+  // the system, but not so often that a busy server would always fetch it again.
+  void tick() {
+    if (phase_ == Phase::Finished) return;
+    const Clock::time_point now = Clock::now();
+    const bool left_behind = gave_memory_back_ || (context_ && context_->large_messages);
+    if (left_behind && now - trimmed_ > protocol::kTrimInterval) {
+      ::malloc_trim(0);
+      trimmed_ = now;
+      gave_memory_back_ = false;
+      if (context_) context_->large_messages = false;
+    }
+    tick_timer_.expires_after(std::chrono::milliseconds(500));
+    tick_timer_.async_wait([this](const boost::system::error_code& ec) {
+      if (!ec) tick();
     });
   }
 
@@ -133,10 +205,28 @@ class Server::Impl {
     for (const auto& session : copy_of_sessions()) session->end();
   }
 
-  std::vector<std::shared_ptr<Session>> copy_of_sessions() const {
-    std::vector<std::shared_ptr<Session>> copy;
+  std::vector<std::shared_ptr<Connection>> copy_of_sessions() const {
+    std::vector<std::shared_ptr<Connection>> copy;
     for (const auto& [id, session] : sessions_) copy.push_back(session);
     return copy;
+  }
+
+  frame::ServiceLoad load() const {
+    return context_ ? context_->service.load() : frame::ServiceLoad{};
+  }
+
+  std::string not_alive() const {
+    const auto stalled = load().without_progress;
+    if (stalled < config_.stuck_after) return "";
+    return "the renderer has made no progress for " + std::to_string(stalled.count()) + " ms";
+  }
+
+  Gauges gauges() const {
+    return {.connections = limits_.total(),
+            .unauthenticated = limits_.unauthenticated(),
+            .session_memory = admission_.memory(),
+            .load = load(),
+            .dropped_log_lines = common::dropped_log_lines()};
   }
 
   std::string not_ready() const {
@@ -144,7 +234,9 @@ class Server::Impl {
       case Phase::Loading:
         return "loading";
       case Phase::Serving:
-        return limits_.full() ? "full" : "";
+        if (limits_.full()) return "full";
+        if (limits_.full_of_strangers()) return "too many connections without a hello";
+        return "";
       case Phase::Draining:
       case Phase::Finished:
         return "draining";
@@ -166,16 +258,24 @@ class Server::Impl {
   ServerConfig config_;
   Metrics metrics_;
   ConnectionLimits limits_;
-  std::optional<SessionContext> context_;
+  BackOff back_off_;
+  Admission admission_;
+  std::shared_ptr<asio::ssl::context> tls_;
+  std::optional<ServerContext> context_;
+  std::optional<Connection::Shared> shared_;
   Clock::time_point started_ = Clock::now();
   Phase phase_ = Phase::Loading;
   std::uint64_t last_session_ = 0;
+  std::function<void()> reload_;
+  bool gave_memory_back_ = false;
+  Clock::time_point trimmed_{};
   asio::io_context io_{1};  // one thread: no locks on sockets
-  std::map<std::uint64_t, std::shared_ptr<Session>> sessions_;
+  std::map<std::uint64_t, std::shared_ptr<Connection>> sessions_;
   Admin admin_;
   Listener listener_;
   asio::signal_set signals_;
   asio::steady_timer drain_timer_;
+  asio::steady_timer tick_timer_;
 };
 
 Server::Server(const ServerConfig& config) : impl_(std::make_unique<Impl>(config)) {}
@@ -187,8 +287,17 @@ void Server::serve(frame::FrameService& service) {
 void Server::run() {
   impl_->run();
 }
-void Server::drain_on_signals() {
-  impl_->drain_on_signals();
+void Server::handle_signals(std::function<void()> reload) {
+  impl_->handle_signals(std::move(reload));
+}
+void Server::post(std::function<void()> step) {
+  impl_->post(std::move(step));
+}
+void Server::configure(const ServerConfig& config) {
+  impl_->configure(config);
+}
+void Server::reload_ended(const std::optional<std::string>& error) {
+  impl_->reload_ended(error);
 }
 void Server::drain() {
   impl_->drain();

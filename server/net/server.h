@@ -2,7 +2,10 @@
 // run() and is the network thread; the other functions may be called from any thread.
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "frame/frame.h"
 #include "net/server_config.h"
@@ -12,7 +15,7 @@ namespace amalgam::net {
 class Server {
  public:
   // Binds both addresses. Once run() is called the admin port answers, not ready yet. Throws
-  // std::runtime_error if an address cannot be bound.
+  // std::runtime_error if an address cannot be bound or a certificate not be used.
   explicit Server(const ServerConfig& config);
   ~Server();
 
@@ -23,8 +26,19 @@ class Server {
   // Returns when the server has ended.
   void run();
 
-  // SIGTERM and SIGINT drain. A second one, or one before serve(), exits the process.
-  void drain_on_signals();
+  // SIGTERM and SIGINT drain. A second one, or one before serve(), exits the process. SIGHUP calls
+  // reload on the network thread; while loading or draining nothing happens.
+  void handle_signals(std::function<void()> reload);
+
+  // Runs a step on the network thread.
+  void post(std::function<void()> step);
+
+  // Takes over what may change while sessions are open: tokens and rights, limits, certificates,
+  // trusted proxies. Sessions keep what they were promised; addresses stay. Throws
+  // std::runtime_error, and then nothing has changed. On the network thread only.
+  void configure(const ServerConfig& config);
+  // How a reload ended; nothing: well.
+  void reload_ended(const std::optional<std::string>& error);
 
   // Not ready from now on; sends Draining to clients and finishes frames in flight. Then run()
   // returns, after ServerConfig::drain_timeout at the latest.

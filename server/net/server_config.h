@@ -1,13 +1,15 @@
-// The operator's settings for the network side: addresses, the token, and every limit that is not
-// part of the message format. protocol/limits.h gives the defaults and their reasons.
+// The operator's settings for the network side: addresses, tokens, and every limit that is not part
+// of the message format. protocol/limits.h gives the defaults and their reasons.
 #pragma once
 
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "common/host_port.h"
+#include "net/access.h"
 #include "protocol/limits.h"
 
 namespace amalgam::net {
@@ -22,6 +24,7 @@ struct SessionLimits {
   std::chrono::milliseconds write_timeout = protocol::kWriteTimeout;
   std::chrono::milliseconds linger = protocol::kLinger;
   std::chrono::milliseconds pose_hold = protocol::kPoseHold;
+  double environments_per_second = protocol::kEnvironmentsPerSecond;
 };
 
 struct ConnectionCaps {
@@ -31,14 +34,32 @@ struct ConnectionCaps {
   std::size_t admin = protocol::kMaxAdminConnections;
 };
 
+// How much is promised to sessions in all.
+struct AdmissionLimits {
+  // Part of the renderer's time that sessions may need together; 0: no limit.
+  double load = protocol::kMaxLoad;
+  // Bytes that sessions may need together; 0: no limit.
+  std::uint64_t memory = protocol::kMaxSessionMemory;
+};
+
+struct TlsFiles {
+  std::string certificate, key;  // PEM; both or none
+};
+
 struct ServerConfig {
   common::HostPort listen{"127.0.0.1", 7447};
   common::HostPort admin{"127.0.0.1", 7448};
-  std::string token;       // a secret: never logged; empty: clients need none
+  std::vector<Grant> grants;  // empty: clients need no token
+  EnvironmentFrom environment_from = EnvironmentFrom::Authorised;
+  std::vector<std::string> trusted_proxies;  // addresses whose PROXY headers are believed
+  TlsFiles tls;
   std::string ray_tracer;  // name and version, for the /state page
   SessionLimits session;
   ConnectionCaps connections;
+  AdmissionLimits admission;
   std::chrono::milliseconds drain_timeout = protocol::kDrainTimeout;
+  // /livez fails when the renderer has made no progress with a frame for this long.
+  std::chrono::milliseconds stuck_after = protocol::kStuckAfter;
 };
 
 }  // namespace amalgam::net

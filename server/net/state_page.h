@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "net/session.h"
+#include "net/session_report.h"
 
 namespace amalgam::net {
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <string>
 
-#include "net/token.h"
 #include "protocol/geometry.h"
 #include "protocol/limits.h"
 
@@ -35,15 +34,15 @@ common::CameraModel camera_from(const protocol::Camera& wire) {
 
 }  // namespace
 
-void check_admission(const protocol::Hello& hello, const std::string& token) {
+Rights check_admission(const protocol::Hello& hello, const std::vector<Grant>& grants) {
   if (hello.version() != protocol::kProtocolVersion) {
     throw ClientError(Error::UNSUPPORTED_VERSION, "version " + std::to_string(hello.version()) +
                                                       "; this server speaks " +
                                                       std::to_string(protocol::kProtocolVersion));
   }
-  if (!token.empty() && !tokens_equal(hello.token(), token)) {
-    throw ClientError(Error::AUTH_FAILED, "the token is wrong");
-  }
+  const std::optional<Rights> rights = rights_of(hello.token(), grants);
+  if (!rights || !rights->view) throw ClientError(Error::AUTH_FAILED, "the token is wrong");
+  return *rights;
 }
 
 frame::ViewOptions view_options_from(const protocol::Hello& hello) {
@@ -131,6 +130,14 @@ protocol::Envelope pong_message(std::uint64_t nonce) {
   return envelope;
 }
 
+protocol::Envelope busy_message(std::chrono::milliseconds retry_after, const std::string& reason) {
+  protocol::Envelope envelope;
+  protocol::Busy& busy = *envelope.mutable_busy();
+  busy.set_retry_after_ms(static_cast<std::uint32_t>(retry_after.count()));
+  busy.set_reason(reason);
+  return envelope;
+}
+
 protocol::Envelope draining_message(std::chrono::milliseconds deadline) {
   protocol::Envelope envelope;
   envelope.mutable_draining()->set_deadline_ms(static_cast<std::uint32_t>(deadline.count()));
@@ -188,9 +195,18 @@ protocol::Quality quality_from(const frame::FrameQuality& chosen) {
 
 }  // namespace
 
-protocol::Composite composite_from(const frame::FrameOutput& output) {
+protocol::Envelope composite_message(const Answer& answer, std::uint64_t skipped) {
+  const frame::FrameOutput& output = answer.output;
   const frame::FrameStatistics& statistics = output.statistics;
-  protocol::Composite composite;
+  protocol::Envelope envelope;
+  protocol::Composite& composite = *envelope.mutable_composite();
+  composite.set_frame_id(answer.frame.frame_id);
+  composite.set_capture_time_us(answer.frame.capture_time_us);
+  composite.set_server_ms(answer.server_ms);
+  composite.set_skipped(skipped);
+  for (const common::MarkerPose& pose : answer.frame.poses) {
+    *composite.add_poses() = protocol::to_message(pose);
+  }
   composite.set_jpeg(output.jpeg.data(), output.jpeg.size());
   composite.set_unchanged(output.unchanged);
   for (const core::StageTime& time : statistics.stages) {
@@ -219,7 +235,7 @@ protocol::Composite composite_from(const frame::FrameOutput& output) {
   composite.mutable_truncation_bound()->set_mean(statistics.truncation_bound.mean);
   composite.mutable_truncation_bound()->set_worst(statistics.truncation_bound.worst);
   if (statistics.quality) *composite.mutable_quality() = quality_from(*statistics.quality);
-  return composite;
+  return envelope;
 }
 
 }  // namespace amalgam::net

@@ -10,15 +10,16 @@
 
 #include "common/pose.h"
 #include "frame/frame.h"
+#include "net/answer.h"
 #include "net/client_error.h"
 #include "net/server_config.h"
 #include "protocol/amalgam.pb.h"
 
 namespace amalgam::net {
 
-// Checks version and token of a Hello; an empty token admits everybody. Throws
+// Checks version and token of a Hello, and tells what the client may do. Throws
 // ClientError(UNSUPPORTED_VERSION or AUTH_FAILED).
-void check_admission(const protocol::Hello& hello, const std::string& token);
+Rights check_admission(const protocol::Hello& hello, const std::vector<Grant>& grants);
 
 // Size, camera and quality of a Hello.
 // Throws ClientError(BAD_HELLO).
@@ -37,13 +38,14 @@ protocol::Envelope welcome_message(std::uint64_t session, const SessionLimits& l
                                    const frame::FrameService::MarkerSet& markers);
 protocol::Envelope ping_message(std::uint64_t nonce);
 protocol::Envelope pong_message(std::uint64_t nonce);
+protocol::Envelope busy_message(std::chrono::milliseconds retry_after, const std::string& reason);
 protocol::Envelope draining_message(std::chrono::milliseconds deadline);
 protocol::Envelope error_message(const ClientError& error);
 
 // The error of a frame with unusable poses of these markers.
 ClientError poses_rejected(const std::vector<int>& markers, std::uint64_t frame_id);
 
-// Without the fields that the session fills: ids, times, poses and skipped frames.
-protocol::Composite composite_from(const frame::FrameOutput& output);
+// skipped: frames of the session that will never be answered, so far.
+protocol::Envelope composite_message(const Answer& answer, std::uint64_t skipped);
 
 }  // namespace amalgam::net

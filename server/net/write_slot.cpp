@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "net/wire.h"
 #include "protocol/framing.h"
 
 namespace amalgam::net {
@@ -12,11 +13,11 @@ bool WriteSlot::put_control(const protocol::Envelope& message) {
   return true;
 }
 
-bool WriteSlot::put_composite(protocol::Composite composite) {
-  return std::exchange(composite_, std::move(composite)).has_value();
+bool WriteSlot::put_answer(Answer answer) {
+  return std::exchange(answer_, std::move(answer)).has_value();
 }
 
-std::optional<std::string> WriteSlot::begin_write(std::uint64_t skipped) {
+std::optional<std::string> WriteSlot::begin_write(std::uint64_t skipped, bool may_answer) {
   if (writing()) return std::nullopt;
   if (!control_.empty()) {
     writing_ = Writing::Control;
@@ -24,16 +25,13 @@ std::optional<std::string> WriteSlot::begin_write(std::uint64_t skipped) {
     control_.pop_front();
     return bytes;
   }
-  if (!composite_) return std::nullopt;
-  writing_ = Writing::Composite;
-  protocol::Envelope envelope;
-  *envelope.mutable_composite() = *std::exchange(composite_, std::nullopt);
-  envelope.mutable_composite()->set_skipped(skipped);
-  return protocol::encode(envelope);
+  if (!answer_ || !may_answer) return std::nullopt;
+  writing_ = Writing::Answer;
+  return protocol::encode(composite_message(*std::exchange(answer_, std::nullopt), skipped));
 }
 
-bool WriteSlot::drop_composite() {
-  return std::exchange(composite_, std::nullopt).has_value();
+bool WriteSlot::drop_answer() {
+  return std::exchange(answer_, std::nullopt).has_value();
 }
 
 }  // namespace amalgam::net

@@ -8,6 +8,7 @@
 #include "common/camera_model.h"
 #include "common/image.h"
 #include "core/layers.h"
+#include "core/progress.h"
 #include "gl/shader_interface.h"
 #include "scene/anchored_scene.h"
 #include "scene/light/light.h"
@@ -30,6 +31,7 @@ struct RenderView {
   scene::AnchoredScene scene;        // world-frame transforms and the camera
   std::vector<scene::Light> lights;  // environment and punctual lights, world frame
   int samples_per_side = 1;          // n: n x n samples a pixel on a regular grid, 1..4
+  core::Progress* progress = nullptr;
 };
 
 // A texture on the GPU, owned elsewhere and valid until the end of the frame.

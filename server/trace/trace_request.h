@@ -10,6 +10,7 @@
 #include "common/camera_model.h"
 #include "common/image.h"
 #include "core/layers.h"
+#include "core/progress.h"
 #include "core/provenance.h"
 #include "core/ray_counts.h"
 #include "core/truncation.h"
@@ -66,7 +67,8 @@ struct TraceRequest {
   bool keep_provenance = false;
   // Bytes. Paths are kept if they take less memory than this; 0: never.
   std::size_t keep_paths_below = 0;
-  RayLog* ray_log = nullptr;  // filled if given
+  RayLog* ray_log = nullptr;           // filled if given
+  core::Progress* progress = nullptr;  // stepped at each tile, which may cancel the frame
 };
 
 // The thesis's buffers, from the first sample of each traced pixel; 0 elsewhere.

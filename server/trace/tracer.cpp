@@ -105,6 +105,7 @@ TraceResult trace(const TraceRequest& request) {
   PathKeeper keeper(request, limit, tiles);
   tbb::enumerable_thread_specific<Tile> workers([&] { return Tile(context); });
   tbb::parallel_for(std::size_t{0}, tiles, [&](std::size_t i) {
+    if (request.progress != nullptr) request.progress->step();
     Tile& tile = workers.local();
     tile.start(i);
     tile.trace();

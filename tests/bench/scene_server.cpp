@@ -10,6 +10,7 @@ net::ServerConfig bench_config() {
   net::ServerConfig config;
   constexpr std::chrono::minutes kPatience{10};
   config.session.ping_interval = config.session.idle_timeout = kPatience;
+  config.session.write_timeout = kPatience;
   config.listen.port = 0;
   config.admin.port = 0;
   return config;
@@ -19,7 +20,8 @@ net::ServerConfig bench_config() {
 
 SceneServer::SceneServer(const std::filesystem::path& scene,
                          const frame::RendererSettings& settings)
-    : service_(frame::make_render_service(scene.string(), {.renderer = settings})),
+    : service_(std::make_unique<frame::RenderThread>(
+          scene.string(), frame::RenderServiceOptions{.renderer = settings})),
       server_(bench_config()) {
   server_.serve(*service_);
   network_ = std::thread([this] { server_.run(); });

@@ -214,7 +214,7 @@ TEST(Conversation, WhatOneFrameDidWrongDoesNotEndTheSession) {
 
 TEST(Conversation, TheTokenAdmits) {
   net::ServerConfig config = test_config();
-  config.token = "opensesame";
+  config.grants = {{"opensesame", {.view = true, .environment = true}}};
   TestServer server(config);
   TestClient client = server.connect();
   Envelope hello = hello_message();

@@ -56,7 +56,9 @@ TEST(Environment, ABadOneIsToldAndTheSessionGoesOn) {
 }
 
 TEST(Environment, OfManyTheNewestIsAppliedAndTheOthersAreTold) {
-  TestServer server;
+  net::ServerConfig config = test_config();
+  config.session.environments_per_second = 1e6;
+  TestServer server(config);
   TestClient client = server.session();
   server.service.hold();
   client.send(environment_message("first"));

@@ -115,7 +115,7 @@ TEST(Misbehaviour, TheErrorArrivesEvenIfTheClientKeepsSending) {
 
 TEST(Misbehaviour, WrongOrMissingTokensAreRefused) {
   net::ServerConfig config = test_config();
-  config.token = "opensesame";
+  config.grants = {{"opensesame", {.view = true, .environment = true}}};
   TestServer server(config);
   for (const std::string token : {"", "opensesamf", "opensesam", "opensesame "}) {
     TestClient client = server.connect();

@@ -7,7 +7,7 @@
 #include "common/build_info.h"
 #include "common/parse_command_line.h"
 #include "common/token_file.h"
-#include "net/token.h"
+#include "protocol/limits.h"
 
 namespace amalgam::load {
 
@@ -37,7 +37,7 @@ std::optional<LoadOptions> parse_load_options(int argc, const char* const* argv)
       ->check(CLI::Range(0.01, 10000.0));
   auto* const frames = app.add_option("--frames", options.frames, "frames of each client")
                            ->type_name("N")
-                           ->check(CLI::PositiveNumber);
+                           ->check(CLI::Range(1, 1000000000));
   app.add_option("--duration", duration, "how long frames are sent")
       ->capture_default_str()
       ->type_name("SECONDS")

@@ -59,6 +59,7 @@ trace::TraceResult trace_samples(const TraceInputs& in, const graph::Access& acc
       .keep_provenance = in.keep_provenance,
       .keep_paths_below = samples.keep_paths_below,
       .ray_log = in.ray_log,
+      .progress = in.view.progress,
   });
 }
 
@@ -94,6 +95,7 @@ trace::TraceResult trace_meter(const TracedMeterInputs& in, const graph::Access&
       .white_surfaces = white_surfaces,
       .settings = {.max_depth = 0},
       .keep_images = true,
+      .progress = in.view.progress,
   });
 }
 

@@ -94,8 +94,8 @@ class StubFrameService final : public frame::FrameService {
   bool wait_taken(std::size_t count) {
     return wait([&] { return taken_ >= count; });
   }
-  bool wait_views(std::size_t count) {
-    return wait([&] { return views_.size() == count; });
+  bool wait_views(std::size_t count, std::chrono::milliseconds time = std::chrono::seconds(10)) {
+    return wait([&] { return views_.size() == count; }, time);
   }
   bool wait_environments(std::size_t count) {
     return wait([&] { return environments_.size() >= count; });
@@ -120,9 +120,9 @@ class StubFrameService final : public frame::FrameService {
   };
 
   template <typename Condition>
-  bool wait(Condition condition) {
+  bool wait(Condition condition, std::chrono::milliseconds time = std::chrono::seconds(10)) {
     std::unique_lock lock(mutex_);
-    return changed_.wait_for(lock, std::chrono::seconds(10), condition);
+    return changed_.wait_for(lock, time, condition);
   }
 
   void render_frames() {

@@ -26,11 +26,13 @@ class TokenFile : public testing::Test {
 };
 
 TEST_F(TokenFile, WhiteSpaceAtTheEndsIsNoPartOfIt) {
-  EXPECT_EQ(read_token_file(write(" open sesame\r\n"), kMost), "open sesame");
+  EXPECT_EQ(read_token_file(write(" opensesame\r\n"), kMost), "opensesame");
 }
 
 TEST_F(TokenFile, MustHoldSomethingButNotTooMuch) {
   EXPECT_THROW(read_token_file(write("\n \n"), kMost), std::runtime_error);
+  EXPECT_THROW(read_token_file(write("open sesame"), kMost), std::runtime_error);
+  EXPECT_THROW(read_token_file(write("caf\xe9"), kMost), std::runtime_error);
   EXPECT_EQ(read_token_file(write(std::string(1024, 's')), kMost).size(), 1024u);
   EXPECT_THROW(read_token_file("/nonexistent/token", kMost), std::runtime_error);
   try {

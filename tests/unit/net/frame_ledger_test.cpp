@@ -7,7 +7,7 @@ namespace {
 
 FrameLedger::Entry entry(std::uint64_t number) {
   FrameLedger::Entry entry;
-  entry.number = number;
+  entry.ticket = number;
   entry.frame_id = 100 + number;
   return entry;
 }
@@ -39,7 +39,7 @@ TEST(FrameLedger, AllThatIsAbandonedCounts) {
   for (int i = 0; i < 3; ++i) ledger.submit(entry(ledger.receive(10)), false);
   ledger.abandon();
   EXPECT_EQ(ledger.skipped_count(), 3u);
-  EXPECT_NE(metrics.text().find("amalgam_frames_skipped_total{reason=\"closed\"} 3"),
+  EXPECT_NE(metrics.text({}).find("amalgam_frames_skipped_total{reason=\"closed\"} 3"),
             std::string::npos);
 }
 

@@ -25,7 +25,7 @@ TEST(Metrics, TextNamesWhatWasCounted) {
   output.statistics.quality = {.level = 3, .bound = frame::FrameQuality::Bound::Trace};
   metrics.frame_rendered(output, 20.0);
 
-  const std::string text = metrics.text();
+  const std::string text = metrics.text({});
   for (const char* line :
        {"amalgam_sessions 1", "amalgam_refusals_total{reason=\"address\"} 1",
         "amalgam_errors_total{code=\"POSE_REJECTED\"} 1", "amalgam_frames_received_total 1",

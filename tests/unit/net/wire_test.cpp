@@ -142,10 +142,14 @@ TEST(Wire, APoseWithoutRotationIsNotUsable) {
   EXPECT_FALSE(common::is_usable(poses_from(frame).front()));
 }
 
+protocol::Composite composite_of(const frame::FrameOutput& output) {
+  return composite_message({.frame = {}, .output = output}, 0).composite();
+}
+
 // Of what a governed frame was rendered with nothing is lost on the way, and others say nothing.
 TEST(Wire, CompositeSaysWhatQualityWasChosen) {
   frame::FrameOutput output;
-  EXPECT_FALSE(composite_from(output).has_quality());
+  EXPECT_FALSE(composite_of(output).has_quality());
   output.statistics.quality = {.level = 5,
                                .lowest_level = 40,
                                .samples_per_pixel = 4,
@@ -155,7 +159,7 @@ TEST(Wire, CompositeSaysWhatQualityWasChosen) {
                                .render_scale = 0.85f,
                                .jpeg_quality = 75,
                                .bound = frame::FrameQuality::Bound::Raster};
-  const protocol::Quality quality = composite_from(output).quality();
+  const protocol::Quality quality = composite_of(output).quality();
   EXPECT_EQ(quality.level(), 5u);
   EXPECT_EQ(quality.lowest_level(), 40u);
   EXPECT_EQ(quality.samples_per_pixel(), 4u);
@@ -193,7 +197,7 @@ TEST(Wire, ACompositeTellsRaysAndPixels) {
   output.statistics.pixels = {.virtual_pixels = 7, .specular = 8, .refined = 9, .total = 10};
   output.statistics.nonfinite = 11;
   output.statistics.truncation_bound = {0.25, 0.5};
-  const protocol::Composite composite = composite_from(output);
+  const protocol::Composite composite = composite_of(output);
   EXPECT_EQ(composite.rays().primary(), 1u);
   EXPECT_EQ(composite.rays().reflection(), 2u);
   EXPECT_EQ(composite.rays().refraction(), 3u);

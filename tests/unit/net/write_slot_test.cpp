@@ -15,10 +15,10 @@ Envelope ping(std::uint64_t nonce) {
   return envelope;
 }
 
-protocol::Composite composite(std::uint64_t frame_id) {
-  protocol::Composite composite;
-  composite.set_frame_id(frame_id);
-  return composite;
+Answer composite(std::uint64_t frame_id) {
+  Answer answer;
+  answer.frame.frame_id = frame_id;
+  return answer;
 }
 
 Envelope decode(const std::optional<std::string>& bytes) {
@@ -45,11 +45,11 @@ TEST(WriteSlot, OneWriteIsInFlight) {
 
 TEST(WriteSlot, TheNewestCompositeWinsAndTheOneBeingWrittenStays) {
   WriteSlot slot(4);
-  EXPECT_FALSE(slot.put_composite(composite(1)));
+  EXPECT_FALSE(slot.put_answer(composite(1)));
   const auto first = slot.begin_write(0);
-  EXPECT_TRUE(slot.writing_composite());
-  EXPECT_FALSE(slot.put_composite(composite(2)));
-  EXPECT_TRUE(slot.put_composite(composite(3)));
+  EXPECT_TRUE(slot.writing_answer());
+  EXPECT_FALSE(slot.put_answer(composite(2)));
+  EXPECT_TRUE(slot.put_answer(composite(3)));
   EXPECT_EQ(decode(first).composite().frame_id(), 1u);
   slot.end_write();
   const Envelope second = decode(slot.begin_write(1));
@@ -59,16 +59,16 @@ TEST(WriteSlot, TheNewestCompositeWinsAndTheOneBeingWrittenStays) {
 
 TEST(WriteSlot, ControlGoesFirstAndIsBounded) {
   WriteSlot slot(2);
-  slot.put_composite(composite(1));
+  slot.put_answer(composite(1));
   EXPECT_TRUE(slot.put_control(ping(1)));
   EXPECT_TRUE(slot.put_control(ping(2)));
   EXPECT_FALSE(slot.put_control(ping(3)));
   EXPECT_TRUE(decode(slot.begin_write(0)).has_ping());
-  EXPECT_FALSE(slot.writing_composite());
+  EXPECT_FALSE(slot.writing_answer());
   slot.end_write();
   slot.drop_control();
-  EXPECT_TRUE(slot.drop_composite());
-  EXPECT_FALSE(slot.drop_composite());
+  EXPECT_TRUE(slot.drop_answer());
+  EXPECT_FALSE(slot.drop_answer());
   EXPECT_TRUE(slot.empty());
 }
 

@@ -1,0 +1,103 @@
+#include "frame/scene_renderer.h"
+
+#include <utility>
+
+#include "codec/jpeg.h"
+#include "common/log.h"
+#include "core/timings.h"
+#include "frame/default_view.h"
+#include "frame/environment_input.h"
+#include "frame/frame_renderer.h"
+#include "frame/view_state.h"
+#include "scene/gltf/loader.h"
+#include "scene/marker_ids.h"
+
+namespace amalgam::frame {
+namespace {
+
+// Refuses an image of another size by its header, before it is decoded or anything drawn for it.
+void check_size(const FrameInput& input, const common::CameraModel& camera) {
+  const auto* const jpeg = std::get_if<Bytes>(&input.image);
+  if (jpeg == nullptr) return;
+  const codec::JpegHeader header = codec::read_jpeg_header(*jpeg);
+  if (header.width == camera.width && header.height == camera.height) return;
+  const auto size = [](int width, int height) {
+    return std::to_string(width) + " x " + std::to_string(height);
+  };
+  throw codec::JpegError("an image of " + size(header.width, header.height) + " pixels; " +
+                         size(camera.width, camera.height) + " were agreed");
+}
+
+class SceneRenderer : public ViewRenderer {
+ public:
+  SceneRenderer(scene::Scene scene, const RendererSettings& settings)
+      : renderer_(std::move(scene), settings) {
+    // The first frame compiles shaders and draws shadow maps, for which the first client would wait
+    // seconds. The second one tells what a frame costs.
+    warm_up();
+    const core::Stopwatch stopwatch;
+    warm_up();
+    seconds_per_pixel_ = stopwatch.milliseconds() / 1000.0 / (kWarmUpWidth * kWarmUpHeight);
+  }
+
+  std::unique_ptr<State> open(const ViewOptions& options) override {
+    return std::make_unique<OpenView>(options);
+  }
+
+  FrameOutput render(State& state, const FrameInput& input) override {
+    ViewState& view = static_cast<OpenView&>(state).state;
+    check_size(input, view.options.camera);
+    return renderer_.render(view, input);
+  }
+
+  void set_environment(const EnvironmentInput& input) override {
+    renderer_.set_environment(make_environment(input));
+  }
+
+  FrameService::MarkerSet markers() const override {
+    const scene::Scene& scene = renderer_.scene();
+    return {.dictionary = scene.world.dictionary,
+            .marker_length = scene.world.marker_length,
+            .world_marker = scene.world.marker,
+            .ids = scene::marker_ids(scene)};
+  }
+
+  void stay() override { renderer_.make_current(); }
+  double seconds_per_pixel() const override { return seconds_per_pixel_; }
+
+ private:
+  static constexpr int kWarmUpWidth = 160, kWarmUpHeight = 120;
+
+  struct OpenView : State {
+    explicit OpenView(const ViewOptions& options) : state(options) {}
+    ViewState state;
+  };
+
+  // Renders a small frame and drops it.
+  void warm_up() {
+    ViewState view({.camera = common::default_camera(kWarmUpWidth, kWarmUpHeight)});
+    const common::ImageRgb8 grey(kWarmUpWidth, kWarmUpHeight, common::Rgb8(128));
+    renderer_.render(view, {grey, {default_pose(renderer_.scene().world.marker)}});
+  }
+
+  FrameRenderer renderer_;
+  double seconds_per_pixel_ = 0.0;
+};
+
+}  // namespace
+
+MakeRenderer renderer_of_file(const std::string& scene_path, const RendererSettings& settings) {
+  return [scene_path, settings] {
+    scene::Scene scene = scene::load_scene(scene_path);
+    for (const std::string& warning : scene.warnings) common::log_warn(warning);
+    return std::make_unique<SceneRenderer>(std::move(scene), settings);
+  };
+}
+
+MakeRenderer renderer_of_scene(scene::Scene scene, const RendererSettings& settings) {
+  return [scene = std::make_shared<scene::Scene>(std::move(scene)), settings] {
+    return std::make_unique<SceneRenderer>(std::move(*scene), settings);
+  };
+}
+
+}  // namespace amalgam::frame

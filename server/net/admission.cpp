@@ -1,0 +1,42 @@
+#include "net/admission.h"
+
+#include <algorithm>
+
+namespace amalgam::net {
+
+std::uint64_t memory_of_session(const common::CameraModel& camera) {
+  // What a view keeps while nothing moves (still_frame.h), and a waiting composite.
+  constexpr std::uint64_t kBytesPerPixel = 32;
+  return 3 * std::uint64_t{protocol::kMaxCameraFrameBytes} +
+         kBytesPerPixel * static_cast<std::uint64_t>(camera.width) *
+             static_cast<std::uint64_t>(camera.height);
+}
+
+std::optional<Admission::Busy> Admission::admit(const common::CameraModel& camera,
+                                                const frame::ServiceLoad& load) {
+  const std::uint64_t memory = memory_of_session(camera);
+  if (limits_.memory > 0 && memory_ + memory > limits_.memory) {
+    return Busy{protocol::kRetryAfter, "no memory for another session", "memory"};
+  }
+  const double own = load.seconds_per_pixel * static_cast<double>(camera.width) *
+                     static_cast<double>(camera.height) * load.frames_per_second;
+  // Alone, a session gets what there is.
+  if (limits_.load > 0.0 && sessions_ > 0 && load.demand + own > limits_.load) {
+    // The more there is too much, the longer it takes until enough have left.
+    const double excess = (load.demand + own) / limits_.load;
+    constexpr double kMostTimes = 15.0;
+    return Busy{std::chrono::duration_cast<std::chrono::milliseconds>(protocol::kRetryAfter *
+                                                                      std::min(excess, kMostTimes)),
+                "the renderer has no time for another session", "load"};
+  }
+  memory_ += memory;
+  ++sessions_;
+  return std::nullopt;
+}
+
+void Admission::leave(const common::CameraModel& camera) {
+  memory_ -= memory_of_session(camera);
+  --sessions_;
+}
+
+}  // namespace amalgam::net

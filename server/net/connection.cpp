@@ -1,0 +1,378 @@
+#include "net/connection.h"
+
+#include <array>
+#include <boost/asio/buffer.hpp>
+#include <boost/asio/error.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/read.hpp>
+#include <utility>
+
+#include "common/log.h"
+#include "common/tcp_options.h"
+#include "net/address_key.h"
+#include "net/proxy_header.h"
+#include "net/quietly.h"
+#include "net/wire.h"
+#include "protocol/limits.h"
+
+namespace amalgam::net {
+
+namespace asio = boost::asio;
+using protocol::Envelope;
+using protocol::Error;
+
+namespace {
+
+// Between two looks at an incomplete PROXY header.
+constexpr std::chrono::milliseconds kProxyPause{20};
+
+// For logs.
+std::string text_of(const asio::ip::tcp::endpoint& endpoint) {
+  return to_string(common::HostPort{endpoint.address().to_string(), endpoint.port()});
+}
+
+std::string peer_of(const asio::ip::tcp::socket& socket) {
+  boost::system::error_code ec;
+  const auto endpoint = socket.remote_endpoint(ec);
+  return ec ? "unknown" : text_of(endpoint);
+}
+
+}  // namespace
+
+Connection::Connection(asio::ip::tcp::socket socket, ConnectionLimits::Ticket ticket, bool by_proxy,
+                       std::uint64_t id, Shared& shared, OnEnd on_end)
+    : stream_(std::move(socket)),
+      timer_(stream_.socket().get_executor()),
+      ticket_(std::move(ticket)),
+      by_proxy_(by_proxy),
+      tls_(shared.tls),
+      shared_(shared),
+      context_(shared.context),
+      id_(id),
+      on_end_(std::move(on_end)),
+      deadlines_(context_.config.session, Clock::now()),
+      read_buffer_(protocol::kMaxBeforeHelloBytes),
+      decoder_(protocol::limits_before_hello()),
+      slot_(protocol::kMaxQueuedControl),
+      conversation_(id, peer_of(stream_.socket()), *this, context_) {}
+
+void Connection::start() {
+  common::set_tcp_options(stream_.socket().native_handle(),
+                          {.user_timeout = context_.config.session.idle_timeout,
+                           .unsent_bytes = protocol::kUnsentBytes,
+                           .send_buffer_bytes = protocol::kSendBufferBytes});
+  guarded([&] {
+    wait();
+    by_proxy_ ? read_proxy_header() : secure();
+  });
+}
+
+// --- before the conversation ---
+
+// Looked at before it is taken, so that nothing behind the header is taken with it.
+void Connection::read_proxy_header() {
+  stream_.socket().async_wait(asio::ip::tcp::socket::wait_read,
+                              [self = shared_from_this()](const ErrorCode& ec) {
+                                self->guarded([&] { self->on_proxy_bytes(ec); });
+                              });
+}
+
+void Connection::on_proxy_bytes(const ErrorCode& failed) {
+  if (state_ == State::Ended) return;
+  if (failed) return lost(failed, "read");
+  ErrorCode ec;
+  std::array<std::byte, kMaxProxyHeaderBytes> bytes;
+  const std::size_t size =
+      stream_.socket().receive(asio::buffer(bytes), asio::ip::tcp::socket::message_peek, ec);
+  if (ec) return lost(ec, "read");
+  const auto parsed = parse_proxy_header(std::span(bytes).first(size));
+  if (const auto* defect = std::get_if<ProxyDefect>(&parsed)) {
+    return fail(Error::PROTOCOL_ERROR, defect->what);
+  }
+  if (std::holds_alternative<ProxyNeedsMore>(parsed)) return wait_for_proxy();
+  const auto& header = std::get<ProxyHeader>(parsed);
+  asio::read(stream_.socket(), asio::buffer(bytes, header.bytes), ec);
+  if (ec) return lost(ec, "read");
+  if (header.client && !is_admitted(*header.client)) return;
+  secure();
+}
+
+// A header comes in one packet, or its sender may take its time: readiness would be told again and
+// again for what is there already.
+void Connection::wait_for_proxy() {
+  proxy_timer_.expires_after(kProxyPause);
+  proxy_timer_.async_wait([self = shared_from_this()](const ErrorCode& ec) {
+    if (!ec && self->state_ == State::Open) self->guarded([&] { self->read_proxy_header(); });
+  });
+}
+
+// From here on the connection counts as that of the client.
+bool Connection::is_admitted(const asio::ip::tcp::endpoint& client) {
+  const std::string key = address_key(client.address());
+  conversation_.set_peer(text_of(client));
+  if (const auto left = shared_.back_off.left(key, Clock::now()); left.count() > 0) {
+    context_.metrics.refused("back_off");
+    send_last(busy_message(left, "too many wrong tokens"));
+    return false;
+  }
+  if (const auto refusal = shared_.limits.move(*ticket_, key)) {
+    context_.metrics.refused(to_string(*refusal));
+    send_last(busy_message(protocol::kRetryAfter, "too many connections"));
+    return false;
+  }
+  return true;
+}
+
+void Connection::secure() {
+  if (!tls_) return read();
+  stream_.handshake_as_server(tls_, [self = shared_from_this()](const ErrorCode& ec) {
+    self->guarded([&] {
+      if (self->state_ == State::Ended) return;
+      if (ec) return self->lost(ec, "TLS");
+      self->secured_ = true;
+      self->read();
+    });
+  });
+}
+
+// --- reading ---
+
+void Connection::read() {
+  stream_.read_some(asio::buffer(read_buffer_),
+                    [self = shared_from_this()](const ErrorCode& ec, std::size_t size) {
+                      self->guarded([&] { self->on_read(ec, size); });
+                    });
+}
+
+void Connection::on_read(const ErrorCode& ec, std::size_t size) {
+  if (state_ == State::Ended) return;
+  if (ec) return lost(ec, "read");
+  common::acknowledge_now(stream_.socket().native_handle());
+  // While closing, what still arrives is thrown away: unread bytes would make the kernel reset the
+  // connection, and the client would never see the Error that tells it why.
+  if (state_ == State::Open) take(std::span(read_buffer_).first(size));
+  if (state_ != State::Ended) read();
+}
+
+void Connection::take(std::span<const std::byte> input) {
+  while (state_ == State::Open) {
+    const std::size_t left = input.size();
+    const std::size_t begun = decoder_.bytes_of_unfinished();
+    const protocol::Decoder::Result result = decoder_.next(input);
+    const std::size_t size_of_last = begun + left - input.size();
+    if (std::holds_alternative<protocol::Decoder::NeedMore>(result)) break;
+    if (const auto* failure = std::get_if<protocol::Decoder::Failure>(&result)) {
+      return fail(Error::PROTOCOL_ERROR, failure->what);
+    }
+    deadlines_.received_message(Clock::now());
+    if (size_of_last > protocol::kMaxControlBytes) context_.large_messages = true;
+    guarded([&] {
+      if (const auto* refused = std::get_if<protocol::Decoder::TooManyPoses>(&result)) {
+        conversation_.refuse_poses(refused->frame_id, refused->message_bytes);
+      } else {
+        conversation_.visit(std::get<Envelope>(result));
+      }
+    });
+  }
+  deadlines_.received_part(decoder_.bytes_of_unfinished(), Clock::now());
+}
+
+// --- writing ---
+
+void Connection::send(const Envelope& message) {
+  // A peer that does not read its answers loses some; the write time-out ends it if that goes on.
+  if (!slot_.put_control(message)) {
+    common::log_debug(conversation_.name() + ": an answer was dropped");
+  }
+  write();
+}
+
+bool Connection::send_answer(Answer answer) {
+  const bool replaced = slot_.put_answer(std::move(answer));
+  write();
+  return replaced;
+}
+
+void Connection::send_last(const Envelope& message) {
+  slot_.drop_control();
+  send(message);
+  close();
+}
+
+void Connection::write() {
+  // Before the handshake is over nothing can be said: the client would take it for TLS.
+  if (tls_ && !secured_) return;
+  const bool may_answer = unread_.size() < protocol::kMaxUnreadComposites;
+  std::optional<std::string> bytes = slot_.begin_write(conversation_.skipped(), may_answer);
+  if (!bytes) return;
+  writing_ = std::move(*bytes);
+  if (slot_.writing_answer()) append_ping();
+  deadlines_.write_begun(Clock::now());
+  stream_.write(asio::buffer(writing_),
+                [self = shared_from_this()](const ErrorCode& ec, std::size_t size) {
+                  self->guarded([&] { self->on_written(ec, size); });
+                });
+}
+
+// The pong will tell that the composite was read, wherever buffers are between us and the reader.
+void Connection::append_ping() {
+  writing_ += protocol::encode(ping_message(++pings_));
+  unread_.push_back({pings_, Clock::now()});
+  deadlines_.unread_since(unread_.front().written);
+}
+
+void Connection::heard_pong(std::uint64_t nonce) {
+  while (!unread_.empty() && unread_.front().nonce <= nonce) unread_.pop_front();
+  deadlines_.unread_since(unread_.empty() ? std::nullopt : std::optional(unread_.front().written));
+  write();
+}
+
+void Connection::on_written(const ErrorCode& ec, std::size_t size) {
+  if (state_ == State::Ended) return;
+  if (ec) return lost(ec, "write");
+  if (slot_.writing_answer()) conversation_.written(size);
+  slot_.end_write();
+  std::string().swap(writing_);  // it may have been an image, whose memory assigning would keep
+  deadlines_.write_ended();
+  write();
+  if (state_ == State::Closing) finish_sending();
+  close_if_drained();
+}
+
+// --- time ---
+
+void Connection::wait() {
+  // Setting a new time cancels the wait that is under way.
+  timer_.expires_at(state_ == State::Closing ? linger_end_ : deadlines_.next());
+  timer_.async_wait([self = shared_from_this()](const ErrorCode& ec) {
+    self->guarded([&] { self->on_time(ec); });
+  });
+}
+
+void Connection::on_time(const ErrorCode& ec) {
+  if (ec || state_ == State::Ended) return;
+  const Clock::time_point now = Clock::now();
+  if (state_ == State::Closing) {
+    if (now >= linger_end_) return end();
+    return wait();
+  }
+  if (const auto passed = deadlines_.passed(now)) return on_passed(*passed);
+  if (deadlines_.ping_due(now)) send(ping_message(++pings_));
+  wait();
+}
+
+void Connection::on_passed(Deadlines::Passed passed) {
+  switch (passed) {
+    case Deadlines::Passed::Hello:
+      return fail(Error::AUTH_TIMEOUT, "no complete hello in time");
+    case Deadlines::Passed::SlowSender:
+      return fail(Error::SLOW_SENDER, "a message came too slowly");
+    case Deadlines::Passed::SlowReader:
+      // Nothing can be said to somebody who does not read.
+      context_.metrics.error_sent(Error::SLOW_READER);
+      common::log_info(common::LogKind::Session,
+                       conversation_.name() + ": evicted, it does not read");
+      return end();
+    case Deadlines::Passed::Idle:
+      fail(Error::IDLE_TIMEOUT, "nothing was heard, not even a pong");
+      // Its error is on the way or will never be; a peer that is gone need not be waited for.
+      return end();
+  }
+}
+
+// --- the conversation's wishes ---
+
+void Connection::welcomed() {
+  ticket_->authenticated();
+  shared_.back_off.succeeded(ticket_->address());
+  decoder_.set_limits(protocol::limits_of_server());
+  deadlines_.authenticated(Clock::now());
+  wait();
+}
+
+void Connection::refused() {
+  shared_.back_off.failed(ticket_->address(), Clock::now());
+}
+
+// Steps come from the renderer's thread, and the connection may have ended by then.
+std::function<void(Line::Step)> Connection::posting() {
+  return [executor = stream_.socket().get_executor(), weak = weak_from_this()](Step step) {
+    asio::post(executor, [weak, step = std::move(step)] {
+      const auto self = weak.lock();
+      if (!self) return;
+      self->guarded([&] {
+        step();
+        self->close_if_drained();
+      });
+    });
+  };
+}
+
+// --- errors and ends ---
+
+// The one place where what is thrown in a session is caught: bad input is answered, anything else
+// ends this session and no other.
+template <typename F>
+void Connection::guarded(F step) {
+  try {
+    try {
+      step();
+    } catch (const ClientError& error) {
+      conversation_.answer(error);
+    }
+  } catch (const std::exception& error) {
+    quietly([&] {
+      common::log_error(common::LogKind::Session, conversation_.name() + ": " + error.what());
+    });
+    end();
+  }
+}
+
+void Connection::close() {
+  if (state_ != State::Open) return;
+  if (slot_.drop_answer()) conversation_.dropped();
+  conversation_.leave();
+  state_ = State::Closing;
+  linger_end_ = Clock::now() + context_.config.session.linger;
+  wait();
+  finish_sending();
+}
+
+void Connection::finish_sending() {
+  if (slot_.empty()) stream_.finish_sending();
+}
+
+void Connection::drain(std::chrono::milliseconds deadline) {
+  guarded([&] {
+    conversation_.drain(deadline);
+    close_if_drained();
+  });
+}
+
+void Connection::close_if_drained() {
+  if (state_ == State::Open && conversation_.drained() && slot_.empty()) close();
+}
+
+// Must work when memory is missing: nothing here allocates, or it does not matter if it fails.
+void Connection::end() {
+  if (std::exchange(state_, State::Ended) == State::Ended) return;
+  quietly([&] {
+    if (slot_.drop_answer()) conversation_.dropped();
+    conversation_.leave();
+  });
+  stream_.close();
+  quietly([&] { timer_.cancel(); });
+  quietly([&] { proxy_timer_.cancel(); });
+  ticket_.reset();
+  on_end_(id_);
+}
+
+void Connection::lost(const ErrorCode& ec, const char* what) {
+  if (state_ != State::Closing) {
+    common::log_info(common::LogKind::Session,
+                     conversation_.name() + ": " + what + ": " + ec.message());
+  }
+  end();
+}
+
+}  // namespace amalgam::net

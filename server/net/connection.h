@@ -1,0 +1,122 @@
+// The connection that carries one client's conversation: reads and frames bytes, has one write in
+// flight and two composites unread at most, keeps the deadlines, and lingers at the end so that the
+// last words arrive. Runs on the network thread.
+#pragma once
+
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "net/back_off.h"
+#include "net/connection_limits.h"
+#include "net/conversation.h"
+#include "net/deadlines.h"
+#include "net/write_slot.h"
+#include "protocol/framing.h"
+#include "protocol/stream.h"
+
+namespace amalgam::net {
+
+class Connection : public std::enable_shared_from_this<Connection>, private Line {
+ public:
+  // What the server has for its connections. Outlives them.
+  struct Shared {
+    ServerContext& context;
+    ConnectionLimits& limits;
+    BackOff& back_off;
+    std::shared_ptr<boost::asio::ssl::context>& tls;  // null: bytes are not encrypted
+  };
+  // Called exactly once, at the end.
+  using OnEnd = std::function<void(std::uint64_t id)>;
+
+  // by_proxy: a trusted proxy's, which first says in a PROXY header whom it speaks for.
+  Connection(boost::asio::ip::tcp::socket socket, ConnectionLimits::Ticket ticket, bool by_proxy,
+             std::uint64_t id, Shared& shared, OnEnd on_end);
+
+  void start();
+  // Accepts no more frames, answers those in flight, then ends.
+  void drain(std::chrono::milliseconds deadline);
+  // Ends at once.
+  void end();
+  SessionReport report() const { return conversation_.report(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  using ErrorCode = boost::system::error_code;
+  enum class State { Open, Closing, Ended };  // in this order only
+
+  // The conversation's line.
+  void send(const protocol::Envelope& message) override;
+  bool send_answer(Answer answer) override;
+  void send_last(const protocol::Envelope& message) override;
+  void welcomed() override;
+  void refused() override;
+  void heard_pong(std::uint64_t nonce) override;
+  void close() override;
+  std::function<void(Step)> posting() override;
+
+  void read_proxy_header();
+  void on_proxy_bytes(const ErrorCode& failed);
+  void wait_for_proxy();
+  bool is_admitted(const boost::asio::ip::tcp::endpoint& client);
+  void secure();
+  void read();
+  void on_read(const ErrorCode& ec, std::size_t size);
+  void take(std::span<const std::byte> input);
+
+  void write();
+  void append_ping();
+  void on_written(const ErrorCode& ec, std::size_t size);
+  void finish_sending();
+  void close_if_drained();
+
+  void wait();
+  void on_time(const ErrorCode& ec);
+  void on_passed(Deadlines::Passed passed);
+
+  template <typename F>
+  void guarded(F step);
+  void fail(protocol::Error::Code code, const std::string& text) {
+    conversation_.answer(ClientError(code, text));
+  }
+  void lost(const ErrorCode& ec, const char* what);
+
+  protocol::Stream stream_;
+  boost::asio::steady_timer timer_, proxy_timer_{timer_.get_executor()};
+  std::optional<ConnectionLimits::Ticket> ticket_;
+  const bool by_proxy_;
+  std::shared_ptr<boost::asio::ssl::context> tls_;  // null: bytes are not encrypted
+  bool secured_ = false;                            // the TLS handshake is over
+  Shared& shared_;
+  ServerContext& context_;
+  std::uint64_t id_;
+  OnEnd on_end_;
+
+  State state_ = State::Open;
+  Deadlines deadlines_;
+  Clock::time_point linger_end_{};
+  std::uint64_t pings_ = 0;
+  struct Unread {
+    std::uint64_t nonce;  // of the ping that followed the composite
+    Clock::time_point written;
+  };
+  std::deque<Unread> unread_;
+
+  std::vector<std::byte> read_buffer_;
+  protocol::Decoder decoder_;
+  WriteSlot slot_;
+  std::string writing_;
+
+  Conversation conversation_;  // last: ends first, and says so to the renderer
+};
+
+}  // namespace amalgam::net

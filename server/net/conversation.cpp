@@ -1,0 +1,244 @@
+#include "net/conversation.h"
+
+#include <utility>
+
+#include "common/log.h"
+#include "net/wire.h"
+#include "protocol/limits.h"
+
+namespace amalgam::net {
+
+using protocol::Envelope;
+using protocol::Error;
+
+Conversation::Conversation(std::uint64_t id, std::string peer, Line& line, ServerContext& context)
+    : id_(id),
+      peer_(std::move(peer)),
+      line_(line),
+      context_(context),
+      pose_hold_(context.config.session.pose_hold),
+      environment_rate_(protocol::kEnvironmentBurst,
+                        context.config.session.environments_per_second),
+      ledger_(context.metrics) {}
+
+// --- what the client says ---
+
+void Conversation::visit(const Envelope& envelope) {
+  const Envelope::BodyCase body = envelope.body_case();
+  const bool may_come_first = body == Envelope::kHello || body == Envelope::BODY_NOT_SET;
+  if (state_ == State::AwaitingHello && !may_come_first) {
+    throw ClientError(Error::UNEXPECTED_MESSAGE, "a message before the hello");
+  }
+  switch (body) {
+    case Envelope::kHello:
+      return on_hello(envelope.hello());
+    case Envelope::kCameraFrame:
+      return on_camera_frame(envelope.camera_frame());
+    case Envelope::kEnvironment:
+      return on_environment(envelope.environment());
+    case Envelope::kPing:
+      return line_.send(pong_message(envelope.ping().nonce()));
+    case Envelope::kPong:
+      return line_.heard_pong(envelope.pong().nonce());
+    case Envelope::kGoodbye:
+      return line_.close();
+    case Envelope::kWelcome:
+    case Envelope::kComposite:
+    case Envelope::kBusy:
+    case Envelope::kError:
+    case Envelope::kDraining:
+      throw ClientError(Error::UNEXPECTED_MESSAGE, "a message that only servers send");
+    case Envelope::BODY_NOT_SET:
+      throw ClientError(Error::UNKNOWN_MESSAGE, "a message of no known kind");
+  }
+}
+
+void Conversation::on_hello(const protocol::Hello& hello) {
+  if (state_ != State::AwaitingHello) {
+    throw ClientError(Error::UNEXPECTED_MESSAGE, "a second hello");
+  }
+  try {
+    rights_ = check_admission(hello, context_.config.grants);
+  } catch (const ClientError& error) {
+    if (error.code == Error::AUTH_FAILED) line_.refused();
+    throw;
+  }
+  const frame::ViewOptions options = view_options_from(hello);
+  if (const auto busy = context_.admission.admit(options.camera, context_.service.load())) {
+    context_.metrics.refused(busy->label);
+    common::log_info(common::LogKind::Refusal, name() + ": refused, " + busy->reason);
+    return line_.send_last(busy_message(busy->retry_after, busy->reason));
+  }
+  camera_ = options.camera;
+  state_ = State::Running;  // from here on leave() gives back what was taken
+  view_ = context_.service.open_view(options, posting(&Conversation::on_rendered));
+  context_.metrics.session_opened();
+  line_.welcomed();
+  line_.send(welcome_message(id_, context_.config.session, context_.service.markers()));
+  common::log_info(common::LogKind::Session, name() + ": " + std::to_string(camera_.width) + " x " +
+                                                 std::to_string(camera_.height));
+}
+
+void Conversation::refuse_poses(std::uint64_t frame_id, std::size_t message_bytes) {
+  if (state_ == State::AwaitingHello) {
+    throw ClientError(Error::UNEXPECTED_MESSAGE, "a message before the hello");
+  }
+  ledger_.receive(message_bytes);
+  if (state_ == State::Draining) return ledger_.skip(Skip::Draining);
+  ledger_.skip(Skip::Refused);
+  throw ClientError(
+      Error::TOO_MANY_POSES,
+      "more than the " + std::to_string(protocol::kMaxPoses) + " poses that are accepted",
+      frame_id);
+}
+
+void Conversation::on_camera_frame(const protocol::CameraFrame& frame) {
+  FrameLedger::Entry entry;
+  entry.ticket = ledger_.receive(frame.ByteSizeLong());
+  entry.frame_id = frame.frame_id();
+  entry.arrival = Clock::now();
+  if (state_ == State::Draining) return ledger_.skip(Skip::Draining);
+  const CaptureClock::Judged capture = capture_clock_.judge(frame.capture_time_us(), entry.arrival);
+  if (capture.clamped) context_.metrics.capture_time_clamped();
+  entry.capture_time_us = capture.time_us;
+  entry.poses = usable_poses(frame);
+
+  const bool replaced = context_.service.submit(
+      *view_, entry.ticket, {.image = bytes_from(frame.jpeg()), .poses = entry.poses});
+  ledger_.submit(std::move(entry), replaced);
+}
+
+std::vector<common::MarkerPose> Conversation::usable_poses(const protocol::CameraFrame& frame) {
+  PoseHold::Resolved resolved = pose_hold_.resolve(poses_from(frame), Clock::now());
+  if (!resolved.rejected.empty()) {
+    context_.metrics.pose_held_or_dropped(resolved.rejected.size());
+    answer(poses_rejected(resolved.rejected, frame.frame_id()));
+  }
+  return std::move(resolved.poses);
+}
+
+void Conversation::on_environment(const protocol::Environment& environment) {
+  if (state_ == State::Draining) return;
+  check_environment_right();
+  EnvironmentSlot::Offered offered = environments_.offer(environment_from(environment));
+  apply(std::move(offered.now));
+  if (offered.replaced) {
+    context_.metrics.environment(EnvironmentFate::Replaced);
+    throw ClientError(Error::BAD_ENVIRONMENT, "replaced by a newer one before it was used");
+  }
+}
+
+void Conversation::check_environment_right() {
+  const EnvironmentFrom from = context_.config.environment_from;
+  if (from == EnvironmentFrom::None ||
+      (from == EnvironmentFrom::Authorised && !rights_.environment)) {
+    context_.metrics.environment(EnvironmentFate::Forbidden);
+    throw ClientError(Error::BAD_ENVIRONMENT, "this client may not change the light");
+  }
+  if (!environment_rate_.admit(Clock::now())) {
+    context_.metrics.environment(EnvironmentFate::TooOften);
+    throw ClientError(Error::BAD_ENVIRONMENT, "environments came too often");
+  }
+}
+
+void Conversation::apply(std::optional<frame::EnvironmentInput> environment) {
+  if (!environment) return;
+  context_.service.set_environment(std::move(*environment),
+                                   posting(&Conversation::on_environment_applied));
+}
+
+// --- what the renderer says ---
+
+// What the renderer calls on its own thread becomes a step of the line's.
+template <typename... Args>
+std::function<void(Args...)> Conversation::posting(void (Conversation::*handler)(Args...)) {
+  return [this, post = line_.posting(), handler](Args... args) {
+    post([this, handler, ... args = std::move(args)]() mutable {
+      (this->*handler)(std::move(args)...);
+    });
+  };
+}
+
+void Conversation::on_rendered(std::uint64_t ticket, frame::FrameResult result) {
+  std::optional<FrameLedger::Entry> frame = ledger_.deliver(ticket);
+  if (!frame) return;
+  if (auto* output = std::get_if<frame::FrameOutput>(&result)) {
+    return send_composite(std::move(*frame), std::move(*output));
+  }
+  ledger_.skip(Skip::Refused);
+  fail(std::get<frame::FrameFailure>(result), frame->frame_id);
+}
+
+void Conversation::fail(const frame::FrameFailure& failure, std::uint64_t frame_id) {
+  switch (failure.kind) {
+    case frame::FrameFailure::Kind::BadImage:
+      return answer(ClientError(Error::BAD_IMAGE, failure.what, frame_id));
+    case frame::FrameFailure::Kind::Internal:
+      // What went wrong inside is the operator's to read, not a stranger's.
+      common::log_error(common::LogKind::Frame,
+                        name() + ": frame " + std::to_string(frame_id) + ": " + failure.what);
+      return answer(ClientError(Error::INTERNAL, "the frame could not be rendered", frame_id));
+  }
+}
+
+void Conversation::on_environment_applied(std::optional<std::string> error) {
+  if (state_ == State::Over) return;
+  context_.metrics.environment(error ? EnvironmentFate::Unusable : EnvironmentFate::Applied);
+  if (error) answer(ClientError(Error::BAD_ENVIRONMENT, *error));
+  apply(environments_.done());
+}
+
+void Conversation::send_composite(FrameLedger::Entry frame, frame::FrameOutput output) {
+  const std::chrono::duration<double, std::milli> server_time = Clock::now() - frame.arrival;
+  context_.metrics.frame_rendered(output, server_time.count());
+  const bool replaced =
+      line_.send_answer({std::move(frame), std::move(output), server_time.count()});
+  if (replaced) ledger_.skip(Skip::ReplacedBeforeWrite);
+}
+
+// --- errors and ends ---
+
+void Conversation::answer(const ClientError& error) {
+  const bool closes = !is_survivable(error.code);
+  context_.metrics.error_sent(error.code);
+  const std::string line = name() + ": " + Error::Code_Name(error.code) + ": " + error.what();
+  closes ? common::log_info(common::LogKind::Refusal, line) : common::log_debug(line);
+  closes ? line_.send_last(error_message(error)) : line_.send(error_message(error));
+}
+
+void Conversation::drain(std::chrono::milliseconds deadline) {
+  if (state_ != State::AwaitingHello && state_ != State::Running) return;
+  line_.send(draining_message(deadline));
+  if (state_ == State::AwaitingHello) return line_.close();
+  state_ = State::Draining;
+}
+
+void Conversation::leave() {
+  const State before = std::exchange(state_, State::Over);
+  if (before == State::Running || before == State::Draining) context_.admission.leave(camera_);
+  if (!view_) return;
+  context_.service.close_view(*std::exchange(view_, std::nullopt));
+  context_.metrics.session_closed();
+  ledger_.abandon();
+}
+
+std::string Conversation::name() const {
+  return "session " + std::to_string(id_) + " (" + peer_ + ")";
+}
+
+SessionReport Conversation::report() const {
+  constexpr const char* kNames[] = {"awaiting_hello", "running", "draining", "closing"};
+  SessionReport report;
+  report.id = id_;
+  report.peer = peer_;
+  report.state = kNames[static_cast<int>(state_)];
+  report.width = camera_.width;
+  report.height = camera_.height;
+  report.received = ledger_.received_count();
+  report.sent = ledger_.sent_count();
+  report.skipped = ledger_.skipped_count();
+  report.in_flight = ledger_.in_flight();
+  return report;
+}
+
+}  // namespace amalgam::net
