@@ -89,7 +89,7 @@ TEST(RadianceRange, NothingVirtualMakesNoDifferenceAtAnyBrightness) {
                   .width = 24,
                   .height = 24,
                   .focal_length = 30,
-                  .tone_map = scene::tone_map_of(exposure)});
+                  .exposure = exposure});
       EXPECT_TRUE(result.layers.is_zero()) << brightness << " at " << exposure;
     }
   }

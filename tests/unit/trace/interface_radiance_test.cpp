@@ -130,28 +130,35 @@ TEST(InterfaceRadiance, ThroughClosedGlassCancels) {
   }
 }
 
-// What the camera saw of a real floor is its radiance in air, L. In virtual water it is L + m - r:
-// m has the water's gain and r has not.
+// What the camera saw of a real floor is its radiance in air, L. In virtual water it is L m / r, or
+// by difference L + m - r: m has the water's gain and r has not.
 TEST(InterfaceRadiance, OfARealFloorUnderVirtualWater) {
   const double ior = double{1.33f};
-  for (const float irradiance : {0.0f, 0.5f}) {
+  using scene::RealSurfaces;
+  const std::pair<float, RealSurfaces> cases[] = {
+      {0.0f, RealSurfaces::Ratio}, {0.5f, RealSurfaces::Ratio}, {0.5f, RealSurfaces::Difference}};
+  for (const auto& [irradiance, way] : cases) {
     scene::Scene scene;
     add_liquid(scene, ior);
     add_floor(scene, test_support::make_diffuse(glm::vec3(0.3f)), scene::Role::Real);
     const common::ImageRgb8 camera(65, 65, {128, 128, 128});
     const glm::vec3 in_air =
-        scene::inverse_tone_map(glm::vec3(scene::srgb_decode(std::uint8_t{128})), 1.0f);
+        scene::inverse_tone_map(glm::vec3(scene::srgb_decode(std::uint8_t{128})),
+                                scene::tone_map_of(1.0f));
     const glm::vec3 seen =
         seen_at(scene, 0.0,
                 {.settings = {.max_depth = 1},
                  .lights = {test_support::make_sun({0.0f, 0.0f, 1.0f}, glm::vec3(irradiance))},
                  .camera_image = &camera,
                  .width = 65,
-                 .height = 65});
+                 .height = 65,
+                 .real_surfaces = way});
     const double passes = 1.0 - reflectance_exact(1.0, 1.0, ior);
     const double albedo = 0.96 * double{0.3f} + 0.04, r = albedo / kPi * double{irradiance};
     const double m = passes * r / (1.0 - albedo * reflected_inside(ior));
-    EXPECT_NEAR(seen.x, (double{in_air.x} + m - r) * passes / (ior * ior), 2e-6) << irradiance;
+    const bool by_ratio = way == RealSurfaces::Ratio && r > 0.0;
+    const double changed = by_ratio ? double{in_air.x} * m / r : double{in_air.x} + m - r;
+    EXPECT_NEAR(seen.x, changed * passes / (ior * ior), 2e-6) << irradiance;
   }
 }
 

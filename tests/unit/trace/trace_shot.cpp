@@ -37,6 +37,7 @@ TraceResult trace_shot(const scene::Scene& scene, const Shot& shot) {
                 .lookup = shot.camera_image != nullptr ? &lookup : nullptr,
                 .camera_image = shot.camera_image,
                 .tone_map = scene::tone_map_of(shot.exposure),
+                .real_surfaces = shot.real_surfaces,
                 .settings = shot.settings,
                 .keep_images = true,
                 .keep_provenance = shot.keep_provenance});

@@ -32,6 +32,7 @@ struct Shot {
   int width = 9, height = 9, samples_per_side = 1;
   double focal_length = 200.0;
   float exposure = 1.0f;
+  scene::RealSurfaces real_surfaces = scene::RealSurfaces::Ratio;
   bool keep_provenance = false;
 };
 
