@@ -102,6 +102,7 @@ const std::map<std::string, Tolerance> kTolerances = {
     {"environment_reflection", kDisplay},
     {"over", kDisplay},
     {"difference", kDisplay},
+    {"light_ratio", kDisplay},
     {"real_depth", kDepth},
     {"over_alpha", kMask},
     {"virtual_mask", kMask},

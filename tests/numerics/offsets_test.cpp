@@ -80,9 +80,10 @@ TEST(Offsets, APaneTransmitsTheSameDownToTheLimit) {
   for (const float thickness : {1.0f, 1e-2f, 1e-4f, 1e-5f}) {
     EXPECT_NEAR(transmitted(thickness), 0.923077f, 2e-6f) << thickness;
   }
-  // Beyond: the ray that enters starts behind the back side, so the pane ends nowhere and one of
-  // its two surfaces is missing.
-  EXPECT_NEAR(transmitted(1e-6f), 0.96f, 1e-6f);
+  // Beyond: the ray that enters starts behind the back side, so the pane ends nowhere. One of its
+  // two surfaces is missing, and what lies behind seems to lie in the glass, n^2 = 2.25 times
+  // darker.
+  EXPECT_NEAR(transmitted(1e-6f), 0.96f / 2.25f, 1e-6f);
 }
 
 }  // namespace

@@ -50,7 +50,8 @@ TEST(FloatComposite, SmallLayersAreScaledUp) {
   constexpr int kSmall = kSide / 2 + 2;
   const frame::FrameBuffers buffers{
       {"over", common::ImageRgba32f(kSmall, kSmall, glm::vec4(0.3f, 0.3f, 0.3f, 1.0f))},
-      {"difference", common::ImageRgb32f(kSmall, kSmall)}};
+      {"difference", common::ImageRgb32f(kSmall, kSmall)},
+      {"light_ratio", common::ImageRgb32f(kSmall, kSmall, glm::vec3(1.0f))}};
   const core::Layers layers = frame_layers(buffers, {kSide, kSide}, 0.5f);
   ASSERT_EQ(layers.size(), glm::ivec2(kSide));
   EXPECT_NEAR(layers.at(0, 0).over.r, 0.3f, 1e-6f);

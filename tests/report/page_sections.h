@@ -12,6 +12,7 @@ Html bounds_section(const std::vector<BoundCheck>& bounds);
 Html jitter_section(const std::vector<JitterErrors>& rows);
 Html determinism_section(const std::vector<LayersHash>& rows);
 Html thesis_section(const std::vector<bench::ThesisResult>& rows);
+Html truth_section(const std::vector<TruthRow>& rows);
 Html worst_section(const std::vector<WorstCase>& cases);
 Html points_section(const std::vector<PointSummary>& points);
 

@@ -176,6 +176,7 @@ TEST(Page, IsOneFileWithoutNetwork) {
   ReportData data;
   data.host.commit = "<commit>";
   data.notes = {"a <note>"};
+  data.truth = {{"eq. 4.5, <8> lights", 36.0, 11.5, 39.3, 10.9}};
   data.worst = {{"a <scene>", "samples 1", 0.1, common::ImageRgb32f(4, 4, glm::vec3(0.5f)),
                  common::ImageRgb32f(4, 4, glm::vec3(0.4f))}};
   data.jitter = {{.scene = "a <scene>", .draws = 5}};

@@ -12,6 +12,7 @@
 #include "report/laws.h"
 #include "report/run_row.h"
 #include "report/summary.h"
+#include "report/truth_part.h"
 
 namespace amalgam::report {
 
@@ -30,6 +31,7 @@ struct ReportData {
   std::vector<JitterErrors> jitter;
   std::vector<LayersHash> hashes;
   std::vector<bench::ThesisResult> table;
+  std::vector<TruthRow> truth;
   std::vector<WorstCase> worst;
   std::vector<std::string> notes;  // what is missing, and why
 };

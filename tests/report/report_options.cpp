@@ -76,8 +76,9 @@ std::optional<ReportOptions> parse_report_options(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--only", options.only, "only this scene, as 'glass bunny'; may be repeated");
   app.add_option("--sweep", options.sweeps, "only this sweep, as samples; may be repeated");
-  app.add_option("--part", options.parts,
-                 "only this part: sweeps, jitter, determinism or table-6.1; may be repeated");
+  app.add_option(
+      "--part", options.parts,
+      "only this part: sweeps, jitter, determinism, table-6.1 or truth; may be repeated");
   app.add_option("--size", size, "size of the pictures, pixels [320x240; quick: 80x60]");
   app.add_option("--runs", runs, "runs of each setting, 1 to 1000 [20; quick: 4]")
       ->check(CLI::Range(1, 1000));
@@ -93,7 +94,8 @@ std::optional<ReportOptions> parse_report_options(int argc, char** argv) {
   }
   check_names("--only", options.only, scene_names(options.scenes));
   check_names("--sweep", options.sweeps, sweep_names());
-  check_names("--part", options.parts, {kSweepPart, kJitterPart, kDeterminismPart, kTablePart});
+  check_names("--part", options.parts,
+              {kSweepPart, kJitterPart, kDeterminismPart, kTablePart, kTruthPart});
   return options;
 }
 

@@ -29,6 +29,7 @@ struct ReportOptions {
 inline constexpr const char* kJitterPart = "jitter";
 inline constexpr const char* kDeterminismPart = "determinism";
 inline constexpr const char* kTablePart = "table-6.1";
+inline constexpr const char* kTruthPart = "truth";
 inline constexpr const char* kSweepPart = "sweeps";
 
 // Nothing if the program is to end (--help). Throws std::invalid_argument with one line.

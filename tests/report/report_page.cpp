@@ -116,7 +116,8 @@ std::string report_page(const ReportData& data) {
   body += charts(data);
   body += bounds_section(data.bounds) + jitter_section(data.jitter) +
           determinism_section(data.hashes) + thesis_section(data.table) +
-          worst_section(data.worst) + points_section(data.points) + reference_words(data.points);
+          truth_section(data.truth) + worst_section(data.worst) + points_section(data.points) +
+          reference_words(data.points);
   return "<!DOCTYPE html>\n<html lang=\"en\">\n" +
          element("head", head + element("title", title) + element("style", Html{kPageStyle}))
              .markup +

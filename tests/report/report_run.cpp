@@ -51,6 +51,9 @@ class Report {
     for (const std::string& note : data_.notes) progress_->note("amalgam-report: " + note);
     for (const LoadedScene& scene : scenes_) measure(scene);
     if (options_.wants(kTablePart)) measure_table();
+    if (options_.wants(kTruthPart) && options_.only.empty()) {
+      data_.truth = measure_truth(options_.quick, [this](const std::string& what) { say(what); });
+    }
     write();
     progress_->note(output_.string() + ": runs.csv, summary.csv, report.html");
   }

@@ -3,81 +3,18 @@
 // another, which neither method has.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <filesystem>
 #include <iomanip>
 #include <iostream>
-#include <map>
 
-#include "scene/light/tone_map.h"
-#include "truth/truth_figures.h"
-#include "truth/truth_rendering.h"
+#include "truth/truth_errors.h"
 
 namespace amalgam::truth {
 namespace {
-
-struct Error {
-  double objects = 0.0, real = 0.0;  // mean differences, 1/255
-};
-
-using ErrorByPair = std::map<std::string, Error>;
-
-Error mean_of(const ErrorByPair& errors) {
-  Error mean;
-  for (const auto& [pair, error] : errors) {
-    mean.objects += error.objects / static_cast<double>(errors.size());
-    mean.real += error.real / static_cast<double>(errors.size());
-  }
-  return mean;
-}
 
 void print(const std::string& method, const Error& mean) {
   std::cout << std::left << std::setw(20) << method << std::right << std::fixed
             << std::setprecision(2) << "  objects " << std::setw(6) << mean.objects << "  shadows "
             << std::setw(6) << mean.real << "  in 1/255\n";
-}
-
-// The same picture by a camera with these gains: its white balance.
-common::ImageRgb8 balanced(const common::ImageRgb8& image, const glm::vec3& gains) {
-  const scene::ToneMap seen = scene::tone_map_of(1.0f), wanted{gains, seen.curve};
-  common::ImageRgb8 result = image;
-  for (common::Rgb8& pixel : result.pixels()) {
-    pixel = scene::srgb_encode(
-        scene::tone_map(scene::inverse_tone_map(scene::srgb_decode(pixel), seen), wanted));
-  }
-  return result;
-}
-
-std::vector<TruthCase> cases_at_hand() {
-  std::vector<TruthCase> cases = truth_cases();
-  std::erase_if(cases, [](const TruthCase& truth_case) {
-    return !std::filesystem::exists(truth_case.scene_path);
-  });
-  return cases;
-}
-
-// Every scene under every environment by these kinds of pictures.
-ErrorByPair errors_of(const Method& method, const std::vector<std::string>& kinds,
-                      const glm::vec3& gains = glm::vec3(1.0f)) {
-  ErrorByPair errors;
-  for (const TruthCase& truth_case : cases_at_hand()) {
-    TruthRenderer renderer(truth_case, method);
-    const common::ImageRgb8 mask = load_mask(truth_case);
-    const PixelSet objects = object_pixels(mask);
-    for (const Environment& environment : environments()) {
-      renderer.light_by(environment);
-      for (const std::string& kind : kinds) {
-        TruthPair pair = load_pair(truth_case, environment, kind);
-        pair.camera = balanced(pair.camera, gains);
-        pair.truth = balanced(pair.truth, gains);
-        const common::ImageRgb8 composite = renderer.composite(pair.camera);
-        const PixelSet real = changed_pixels(mask, pair.camera, {&pair.truth, &composite});
-        errors[pair.name] = {compare(composite, pair.truth, objects).mean,
-                             compare(composite, pair.truth, real).mean};
-      }
-    }
-  }
-  return errors;
 }
 
 const std::vector<std::string> kDirect{"direct-linear", "direct-reinhard"};

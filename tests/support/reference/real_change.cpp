@@ -26,6 +26,7 @@ RealChange real_change(const Color& m, const Color& r, const Response& response,
 
 Color changed_radiance(const Color& l, const Color& m, const Color& r, const Response& response,
                        bool by_ratio) {
+  if (m == r) return l;
   Color result(0.0);
   for (glm::length_t c = 0; c < 3; ++c) {
     const double w = weight_of_ratio(response.exposure * r[c], by_ratio);
