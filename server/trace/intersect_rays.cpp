@@ -1,5 +1,4 @@
 // Verb: finds the nearest hit of each ray of the batch.
-#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "trace/refine_hit.h"
@@ -35,8 +34,6 @@ void Tile::intersect_rays() {
     if (!hit) continue;
     hit->t += glm::distance(item.start, glm::dvec3(item.ray.origin));
     hit = refine_hit(request_.scene, *hit, item.start, item.direction, Visible::Everything);
-    // Of triangles so large or small that products of their coordinates are no floats.
-    if (!std::isfinite(hit->t)) hit.reset();
   }
 }
 

@@ -124,28 +124,5 @@ TEST(EmbreeRange, AnythingThatLoads) {
   common::set_log_level("info");
 }
 
-// Products of a mesh's coordinates are no floats from 1e13 on and below 1e-13, so that Embree finds
-// hits at no distance.
-TEST(EmbreeRange, PicturesOfAnyMeshAreFinite) {
-  const scene::Environment environment = constant_environment(0.5f);
-  for (const double extent : {1e-30, 1e-20, 1e-13, 1e13, 1e15, 1e18, 1e30, 1e38}) {
-    for (const scene::Material& material :
-         {test_support::make_mirror(glm::vec3(0.9f)), test_support::make_glass(1.5f)}) {
-      scene::Scene scene;
-      scene::Mesh mesh = test_support::make_sphere(glm::vec3(0.0f), 1.0f, 6, 5);
-      for (glm::vec3& p : mesh.positions) p *= static_cast<float>(extent);
-      add_object(scene, mesh, material, scene::Role::Virtual);
-      add_object(scene, test_support::make_floor(-1.0f, 3.0f),
-                 test_support::make_diffuse(glm::vec3(0.5f)), scene::Role::Real);
-      const TraceResult result = trace_shot(scene, {.eye = {0, 1, 3},
-                                                    .environment = &environment,
-                                                    .width = 24,
-                                                    .height = 24,
-                                                    .focal_length = 20});
-      EXPECT_EQ(result.nonfinite, 0u) << extent;
-    }
-  }
-}
-
 }  // namespace
 }  // namespace amalgam::trace
