@@ -57,7 +57,9 @@ std::unique_ptr<CameraSource> make_source(const Options& options) {
                                                         .repeat = options.repeat_images});
   }
   const cv::Size size = options.size.empty() ? kSyntheticSize : options.size;
-  return std::make_unique<SyntheticSource>(camera_for(options, size), options.true_poses, quality);
+  return std::make_unique<SyntheticSource>(
+      camera_for(options, size), options.true_poses, quality,
+      options.synthetic_mirror ? std::optional(DeskMirror()) : std::nullopt);
 }
 
 std::unique_ptr<FrameSink> make_sink(const Options& options) {

@@ -207,6 +207,8 @@ std::optional<Options> parse_options(int argc, const char* const* argv, int& exi
                  "JPEG quality of images that have to be encoded for sending, 1 to 100")
       ->type_name("Q")
       ->check(CLI::Range(1, 100));
+  app.add_flag("--synthetic-mirror", options.synthetic_mirror,
+               "the real mirror of the complex scene stands on the desk of --synthetic");
   app.add_option("--synthetic-poses", synthetic_poses,
                  "poses of --synthetic: as detected in the image, or the true ones")
       ->type_name("detected|true")

@@ -22,6 +22,7 @@ struct Options {
   std::vector<std::string> images;
   bool repeat_images = false;
   bool synthetic = false;
+  bool synthetic_mirror = false;
   bool true_poses = false;
   cv::Size size;  // empty: the source's own
   std::string calibration;

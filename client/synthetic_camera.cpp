@@ -73,6 +73,25 @@ glm::dvec2 SyntheticCamera::ray(int sample_x, int sample_y) const {
           row_y_[static_cast<std::size_t>(sample_y)]};
 }
 
+PackedColor SyntheticCamera::look(const Sight& sight, double sample_angle) const {
+  const auto met = desk_->mirror() ? desk_->mirror()->meet(sight.from, sight.direction)
+                                   : std::optional<DeskMirror::Meeting>();
+  if (!met) return look_at_desk(sight, sample_angle);
+  const double towards = -glm::dot(sight.direction, met->normal);
+  const Sight reflected{sight.from + met->t * sight.direction,
+                        sight.direction + 2.0 * towards * met->normal, sight.distance + met->t};
+  return DeskMirror::dim(look_at_desk(reflected, sample_angle),
+                         towards / glm::length(sight.direction));
+}
+
+PackedColor SyntheticCamera::look_at_desk(const Sight& sight, double sample_angle) const {
+  const double distance = -sight.from.z / sight.direction.z;
+  if (!(distance > 0)) return wall(sight.direction);
+  const glm::dvec2 point = glm::dvec2(sight.from) + distance * glm::dvec2(sight.direction);
+  if (!desk_->covers(point)) return wall(sight.direction);
+  return desk_->color(point, (sight.distance + distance) * sample_angle);
+}
+
 common::ImageRgb8 SyntheticCamera::render(const common::MarkerPose& pose) const {
   const glm::dmat4 marker_from_camera = common::rigid_inverse(common::to_matrix(pose));
   const glm::dmat3 rotation(marker_from_camera);
@@ -81,11 +100,7 @@ common::ImageRgb8 SyntheticCamera::render(const common::MarkerPose& pose) const 
 
   const auto see = [&](int sample_x, int sample_y) {
     const glm::dvec2 at = ray(sample_x, sample_y);
-    const glm::dvec3 direction = rotation * glm::dvec3(at, 1.0);
-    const double distance = -eye.z / direction.z;  // along z of the camera
-    if (!(distance > 0)) return wall(direction);
-    const glm::dvec2 point = glm::dvec2(eye) + distance * glm::dvec2(direction);
-    return desk_->covers(point) ? desk_->color(point, distance * sample_angle) : wall(direction);
+    return look({eye, rotation * glm::dvec3(at, 1.0)}, sample_angle);
   };
 
   common::ImageRgb8 image(camera_.width, camera_.height);

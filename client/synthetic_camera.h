@@ -36,6 +36,14 @@ class SyntheticCamera {
   const common::CameraModel& camera() const { return camera_; }
 
  private:
+  struct Sight {
+    glm::dvec3 from{0.0};       // marker frame, metres
+    glm::dvec3 direction{0.0};  // of length 1 along z of the camera
+    double distance = 0.0;      // from the camera to `from`, in lengths of the direction
+  };
+  // sample_angle: the width of a sample, radians.
+  PackedColor look(const Sight& sight, double sample_angle) const;
+  PackedColor look_at_desk(const Sight& sight, double sample_angle) const;  // and not the mirror
   glm::dvec2 ray(int sample_x, int sample_y) const;
 
   common::CameraModel camera_;

@@ -20,8 +20,9 @@ constexpr PackedColor kPaper = 0xE8ECEC;
 
 }  // namespace
 
-SyntheticDesk::SyntheticDesk(const PrintedMarker& marker)
+SyntheticDesk::SyntheticDesk(const PrintedMarker& marker, std::optional<DeskMirror> mirror)
     : marker_(marker),
+      mirror_(mirror),
       whole_({-kDeskSide / 2, -kDeskSide * 0.4}, kDeskSide, kDeskTexels, desk_picture),
       near_({-kNearSide / 2, -kNearSide * 0.35}, kNearSide, kNearTexels, desk_picture) {
   const auto dictionary = find_dictionary(marker.dictionary);

@@ -48,7 +48,10 @@ for scene in deploy/scenes/{complex,diffuse,mirror}.gltf deploy/scenes/generated
       --frames 1 --lockstep --output "$out/$name-photograph"
   fi
   echo "== $name on a moving synthetic camera, $frames frames of 800x600"
-  build/bin/amalgam-client --server "$address" --synthetic --frames "$frames" --lockstep \
+  # The complex scene has a model of a real mirror, which then must be there to be seen.
+  mirror=()
+  [ "$name" != complex ] || mirror=(--synthetic-mirror)
+  build/bin/amalgam-client --server "$address" --synthetic "${mirror[@]}" --frames "$frames" --lockstep \
     --output "$out/$name-synthetic"
   stop_server
 done

@@ -4,7 +4,7 @@
 serve() {
   local address=
   rm -rf "$work/session"
-  "$bin/amalgam-server" --scene "$1" --samples 9 --listen 127.0.0.1:0 --admin 127.0.0.1:0 --log-level warn > "$work/server.txt" &
+  "$bin/amalgam-server" --scene "$1" --samples "${samples:-9}" --listen 127.0.0.1:0 --admin 127.0.0.1:0 --log-level warn > "$work/server.txt" &
   server=$!
   trap 'kill -TERM $server 2>/dev/null || true' EXIT
   until grep -q listening "$work/server.txt"; do kill -0 "$server" || return 1; sleep 0.1; done
@@ -14,9 +14,6 @@ serve() {
   wait "$server"
   trap - EXIT
 }
-
-serve deploy/scenes/complex.gltf --synthetic --frames 10
-jpeg "$work/session/frame-000010.jpg" complex-synthetic
 
 # One pose from all the markers of a board; the world's origin is in its middle.
 board=$data/real_markers/opencv_contrib

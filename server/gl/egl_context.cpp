@@ -1,5 +1,6 @@
 #include "gl/egl_context.h"
 
+#include <dlfcn.h>
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
@@ -78,6 +79,20 @@ EGLContext create_context(EGLDisplay display) {
   return eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
 }
 
+constexpr const char* kRemedy =
+    " (install libegl1 and libgl1-mesa-dri, or trace everything: --renderer raytrace needs no "
+    "OpenGL)";
+
+// libepoxy would end the process at its first call.
+void check_library() {
+  void* library = dlopen("libEGL.so.1", RTLD_LAZY | RTLD_LOCAL);
+  if (library == nullptr) {
+    throw std::runtime_error("no OpenGL 4.5 context: libEGL.so.1 is missing" +
+                             std::string(kRemedy));
+  }
+  dlclose(library);
+}
+
 std::string gl_string(GLenum name) {
   const GLubyte* text = glGetString(name);
   return text != nullptr ? reinterpret_cast<const char*>(text) : "unknown";
@@ -86,6 +101,7 @@ std::string gl_string(GLenum name) {
 }  // namespace
 
 EglContext::EglContext() : owner_(std::this_thread::get_id()) {
+  check_library();
   std::vector<std::string> failures;
   for (const Candidate& candidate : list_displays(failures)) {
     const auto fail = [&](const std::string& what) {
@@ -119,7 +135,8 @@ EglContext::EglContext() : owner_(std::this_thread::get_id()) {
     break;
   }
   if (context_ == nullptr) {
-    std::string message = "no OpenGL 4.5 context without a window; tried ";
+    std::string message =
+        "no OpenGL 4.5 context without a window" + std::string(kRemedy) + "; tried ";
     for (std::size_t i = 0; i < failures.size(); ++i) message += (i > 0 ? "; " : "") + failures[i];
     throw std::runtime_error(message);
   }

@@ -10,7 +10,7 @@ class EglContext {
  public:
   // Makes the context current on the calling thread, which owns it from then on. Tries Mesa's
   // surfaceless platform, then each EGL device, then the default display. Throws std::runtime_error
-  // that lists each attempt and its failure.
+  // that says what to do, and lists each attempt and its failure.
   EglContext();
   ~EglContext();
   EglContext(const EglContext&) = delete;

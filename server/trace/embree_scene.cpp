@@ -12,6 +12,7 @@
 
 #include "common/log.h"
 #include "trace/embree_isa.h"
+#include "trace/embree_range.h"
 #include "trace/refine_hit.h"
 
 namespace amalgam::trace {
@@ -68,17 +69,6 @@ glm::dmat3 normal_matrix(const glm::mat4& world_from_mesh) {
   const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]),
                              glm::cross(m[0], m[1]));
   return glm::determinant(m) < 0.0 ? -cofactors : cofactors;
-}
-
-// Debian's Embree asserts on rays that it cannot trace, also after an instance's transform. Embree
-// drops primitives beyond 1.8e18, and instances have condition numbers up to 1e6.
-bool is_valid(const Ray& ray) {
-  constexpr float kFarthest = 1e12f;
-  const auto in_range = [](const glm::vec3& v) {
-    return std::abs(v.x) < kFarthest && std::abs(v.y) < kFarthest && std::abs(v.z) < kFarthest;
-  };
-  return in_range(ray.origin) && in_range(ray.direction) && ray.t_min >= 0.0f &&
-         ray.t_max > ray.t_min;
 }
 
 void fill(RTCRay& out, const Ray& ray, Visible visible) {
@@ -172,6 +162,7 @@ EmbreeScene::EmbreeScene(const scene::Scene& scene)
     : scene_(scene),
       mesh_bounds_(scene::mesh_bounds(scene)),
       placed_(scene.instances.size()),
+      named_(scene.instances.size()),
       last_placed_(scene.instances.size()),
       impl_(std::make_unique<Impl>()) {
   const std::string config = embree_device_config();
@@ -215,9 +206,18 @@ EmbreeScene::~EmbreeScene() = default;
 EmbreeScene::Placements EmbreeScene::placements(const scene::AnchoredScene& anchored) const {
   Placements placements(placed_.size());
   for (const scene::AnchoredInstance& a : anchored.instances) {
-    placements[a.instance] = a.world_from_mesh;
+    if (is_traceable(a.world_from_mesh)) placements[a.instance] = a.world_from_mesh;
   }
   return placements;
+}
+
+// Debian's Embree asserts on rays that it cannot trace, also after an instance's transform.
+bool EmbreeScene::is_valid(const Ray& ray) const {
+  const auto in_range = [](const glm::vec3& v, double range) {
+    return std::abs(v.x) < range && std::abs(v.y) < range && std::abs(v.z) < range;
+  };
+  return in_range(ray.origin, start_range_) && in_range(ray.direction, kFarthestStart) &&
+         ray.t_min >= 0.0f && ray.t_max > ray.t_min;
 }
 
 bool EmbreeScene::is_placed(const scene::AnchoredScene& anchored) const {
@@ -241,6 +241,21 @@ void EmbreeScene::place(const scene::AnchoredScene& anchored) {
   }
   rtcCommitScene(impl_->top.get());
   last_placed_ = std::move(next);
+  start_range_ = kFarthestStart;
+  for (const auto& placement : last_placed_) {
+    if (placement) start_range_ = std::min(start_range_, start_range(*placement));
+  }
+  name_untraceable(anchored);
+}
+
+void EmbreeScene::name_untraceable(const scene::AnchoredScene& anchored) {
+  for (const scene::AnchoredInstance& a : anchored.instances) {
+    if (named_[a.instance] != 0 || is_traceable(a.world_from_mesh)) continue;
+    named_[a.instance] = 1;
+    common::log_warn("an instance of mesh '" +
+                     scene_.meshes[scene_.instances[a.instance].mesh].name +
+                     "' is too small for how far away it is, not traced");
+  }
 }
 
 scene::Bounds EmbreeScene::world_bounds(std::uint32_t instance) const {

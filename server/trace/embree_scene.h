@@ -89,10 +89,11 @@ class EmbreeScene {
   bool is_placed(const scene::AnchoredScene& anchored) const;
 
   // Moves the instances that have not and commits the top level. Must not run while rays are
-  // traced.
+  // traced. Instances that Embree cannot count with (trace/embree_range.h) are left out, and named
+  // in the log once.
   void place(const scene::AnchoredScene& anchored);
 
-  // The nearest hit. Rays that are not finite meet nothing (numerics B12).
+  // The nearest hit. Rays that are not finite, or start out of range, meet nothing (numerics B12).
   std::optional<Hit> intersect(const Ray& ray, Visible visible) const;
   bool is_occluded(const Ray& ray, Visible visible) const;
 
@@ -121,6 +122,8 @@ class EmbreeScene {
   struct Impl;
   using Placements = std::vector<std::optional<glm::mat4>>;  // none: not in the frame
   Placements placements(const scene::AnchoredScene& anchored) const;
+  void name_untraceable(const scene::AnchoredScene& anchored);
+  bool is_valid(const Ray& ray) const;
 
   const scene::Scene& scene_;
   std::vector<std::vector<MeshTriangle>> triangles_;  // by Scene::meshes
@@ -128,7 +131,9 @@ class EmbreeScene {
   // By Scene::instances.
   std::vector<PlacedInstance> placed_;
   std::vector<std::uint8_t> ends_light_;  // real and opaque everywhere
+  std::vector<std::uint8_t> named_;       // in the log, as untraceable
   bool anything_passes_light_ = false;
+  double start_range_ = 0.0;  // of all placed instances (trace/embree_range.h)
   Placements last_placed_;
   std::unique_ptr<Impl> impl_;
 };

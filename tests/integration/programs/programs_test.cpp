@@ -185,6 +185,27 @@ TEST_F(Programs, LightIsAccountedFor) {
               0.3 * shares["camera_lookup"].get<double>());
 }
 
+// The report has the poses that were used, and --poses takes them again.
+TEST_F(Programs, TheReportSaysThePosesUsed) {
+  const auto report_of = [&](const std::string& poses) {
+    const fs::path file = folder_ / "poses.json";
+    std::ofstream(file) << poses;
+    ChildProcess render("amalgam-render",
+                        {"--renderer", "raytrace", "--scene", scene_path("diffuse"), "--size",
+                         "32x24", "--poses", file.string(), "--json"});
+    const auto report = nlohmann::json::parse(render.read_all(kPatience), nullptr, false);
+    EXPECT_EQ(render.wait(seconds(10)), 0);
+    return report;
+  };
+  const nlohmann::json given = {
+      {{"marker", 40}, {"rotation", {0.8, 0.0, 0.6, 0.0}}, {"translation", {0.01, -0.02, 0.5}}},
+      {{"marker", 7}, {"rotation", {0.0, 1.0, 0.0, 0.0}}, {"translation", {0.25, 0.0, 1.0 / 3.0}}}};
+  const nlohmann::json report = report_of(nlohmann::json{{"poses", given}}.dump());
+  ASSERT_TRUE(report.contains("poses"));
+  EXPECT_EQ(report["poses"], given);
+  EXPECT_EQ(report_of(report.dump())["poses"], given);
+}
+
 TEST_F(Programs, BadOptionsGiveOneLineAndAFailure) {
   for (const auto& [program, arguments] :
        std::vector<std::pair<std::string, std::vector<std::string>>>{

@@ -1,6 +1,7 @@
 // Images of several printed markers, each with a pose of its own, for tests of tracking.
 #pragma once
 
+#include <cmath>
 #include <opencv2/aruco.hpp>
 #include <opencv2/imgproc.hpp>
 #include <string>
@@ -17,20 +18,22 @@ struct Print {
   int id = 0;
   double length = 0.05;                          // metres
   glm::dmat4 camera_from_marker = glm::dmat4();  // of a camera without distortion
+  double margin = 1.0 / 6.0;                     // white around it, in its length
 };
 
-// A grey image; later prints lie over earlier ones. Each has a white margin a sixth of its length
-// wide. Lines are smooth: the image is the mean of 4 x 4 samples a pixel.
+// A grey image; later prints lie over earlier ones. Lines are smooth: the image is the mean of 4 x
+// 4 samples a pixel.
 inline cv::Mat photograph(const common::CameraModel& camera, const std::vector<Print>& prints,
                           const std::string& dictionary = "DICT_6X6_250") {
-  constexpr int kSamples = 4, kMarkerPixels = 480, kMarginPixels = kMarkerPixels / 6;
+  constexpr int kSamples = 4, kMarkerPixels = 480;
   const auto known = find_dictionary(dictionary);
   cv::Mat large(camera.height * kSamples, camera.width * kSamples, CV_8UC1, cv::Scalar(110));
   for (const Print& print : prints) {
     cv::Mat marker, sheet;
     cv::aruco::drawMarker(known, print.id, kMarkerPixels, marker);
-    cv::copyMakeBorder(marker, sheet, kMarginPixels, kMarginPixels, kMarginPixels, kMarginPixels,
-                       cv::BORDER_CONSTANT, cv::Scalar(255));
+    const int margin = static_cast<int>(std::lround(kMarkerPixels * print.margin));
+    cv::copyMakeBorder(marker, sheet, margin, margin, margin, margin, cv::BORDER_CONSTANT,
+                       cv::Scalar(255));
     const double half = print.length / 2 * sheet.cols / kMarkerPixels;
     const auto side = static_cast<float>(sheet.cols);
     std::vector<cv::Point2f> seen;
