@@ -20,6 +20,7 @@ find_package(nlohmann_json REQUIRED)
 pkg_check_modules(EPOXY REQUIRED IMPORTED_TARGET epoxy egl)
 pkg_check_modules(LIBJPEG REQUIRED IMPORTED_TARGET libjpeg)
 pkg_check_modules(WEBP REQUIRED IMPORTED_TARGET libwebp)
+pkg_check_modules(SYSTEMD REQUIRED IMPORTED_TARGET libsystemd)
 pkg_check_modules(TURBOJPEG REQUIRED IMPORTED_TARGET libturbojpeg)
 
 # Header-only, without a CMake package that can be relied on.

@@ -57,7 +57,9 @@ void serve(const ServerOptions& options, const ReloadOptions& reload_options) {
   server.serve(*service);
   // For people and for scripts that asked for port 0.
   std::cout << "listening on " << to_string(server.address()) << " admin "
-            << to_string(server.admin_address()) << std::endl;
+            << to_string(server.admin_address());
+  if (const auto agent = server.agent_address()) std::cout << " agent " << to_string(*agent);
+  std::cout << std::endl;
   network.join();
   common::log_info("ended");
 }

@@ -13,16 +13,16 @@
 namespace amalgam {
 namespace {
 
-// A time-out in seconds, above 0 and up to an hour.
+// A time-out in seconds, up to an hour.
 void add_seconds(CLI::App& app, const std::string& name, std::chrono::milliseconds& value,
-                 const std::string& what) {
+                 const std::string& what, double least = 0.001) {
   const auto set = [&value](double seconds) {
     value = std::chrono::milliseconds(std::lround(seconds * 1000.0));
   };
   app.add_option_function<double>(name, set, what)
       ->default_str(CLI::detail::to_string(static_cast<double>(value.count()) / 1000.0))
       ->type_name("SECONDS")
-      ->check(CLI::Range(0.001, 3600.0));
+      ->check(CLI::Range(least, 3600.0));
 }
 
 void add_count(CLI::App& app, const std::string& name, std::size_t& value,
@@ -42,6 +42,10 @@ void add_net_options(CLI::App& app, net::ServerConfig& net) {
               "without a sign of life before a client is closed");
   add_seconds(app, "--write-timeout", net.session.write_timeout,
               "for a client to take a message before it is evicted");
+  add_seconds(app, "--drain-delay", net.drain_delay,
+              "from SIGTERM until clients are sent away; meanwhile not ready, so that a load "
+              "balancer notices, but new clients are served",
+              0.0);
   add_seconds(app, "--drain-timeout", net.drain_timeout,
               "at most, to finish frames in flight after SIGTERM");
   add_count(app, "--max-connections", net.connections.total, "clients in all");
@@ -131,6 +135,11 @@ std::optional<ServerOptions> parse_server_options(int argc, const char* const* a
   app.add_option("--admin", admin, "where /livez /readyz /metrics /state are; port 0 as above")
       ->capture_default_str()
       ->type_name("ADDRESS:PORT");
+  std::string agent;
+  app.add_option("--agent-check", agent,
+                 "where a load balancer reads the free capacity (HAProxy's agent-check); port 0 as "
+                 "above. Without it, nowhere")
+      ->type_name("ADDRESS:PORT");
   bool insecure = false;
   add_security_options(app, options.net, token_file, insecure);
   tools::add_renderer_options(app, options.render.renderer);
@@ -152,6 +161,7 @@ std::optional<ServerOptions> parse_server_options(int argc, const char* const* a
   if (!common::parse_command_line(app, argc, argv)) return std::nullopt;
   options.net.listen = common::parse_host_port(listen);
   options.net.admin = common::parse_host_port(admin);
+  if (!agent.empty()) options.net.agent = common::parse_host_port(agent);
   options.net.ray_tracer = frame::ray_tracer_version();
   if (!token_file.empty()) options.net.grants = net::read_grants(token_file);
   check_exposure(options.net, insecure);

@@ -34,6 +34,14 @@ std::optional<Admission::Busy> Admission::admit(const common::CameraModel& camer
   return std::nullopt;
 }
 
+double Admission::free_part(const frame::ServiceLoad& load) const {
+  const double time = 1.0 - load.demand / (limits_.load > 0.0 ? limits_.load : 1.0);
+  const double memory =
+      limits_.memory > 0 ? 1.0 - static_cast<double>(memory_) / static_cast<double>(limits_.memory)
+                         : 1.0;
+  return std::clamp(std::min(time, memory), 0.0, 1.0);
+}
+
 void Admission::leave(const common::CameraModel& camera) {
   memory_ -= memory_of_session(camera);
   --sessions_;

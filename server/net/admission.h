@@ -29,6 +29,8 @@ class Admission {
   void leave(const common::CameraModel& camera);
   void set_limits(const AdmissionLimits& limits) { limits_ = limits; }
   std::uint64_t memory() const { return memory_; }
+  // What is left of load and memory, whichever is less: 0..1.
+  double free_part(const frame::ServiceLoad& load) const;
 
  private:
   AdmissionLimits limits_;

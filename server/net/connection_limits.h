@@ -48,6 +48,9 @@ class ConnectionLimits {
 
   bool full() const { return total_ >= caps_.total; }
   bool full_of_strangers() const { return unauthenticated_ >= caps_.unauthenticated; }
+  double free_part() const {
+    return full() ? 0.0 : 1.0 - static_cast<double>(total_) / static_cast<double>(caps_.total);
+  }
   std::size_t total() const { return total_; }
   std::size_t unauthenticated() const { return unauthenticated_; }
 

@@ -1,30 +1,18 @@
 #include "net/listener.h"
 
 #include <algorithm>
-#include <boost/asio/buffer.hpp>
 #include <utility>
 #include <variant>
 
 #include "net/address_key.h"
+#include "net/say_and_close.h"
 #include "net/wire.h"
 #include "protocol/framing.h"
 #include "protocol/limits.h"
 
 namespace amalgam::net {
-namespace {
 
 using boost::asio::ip::tcp;
-
-// Best effort, without waiting: a few bytes fit the buffer of a new socket.
-void say_and_close(tcp::socket& socket, const std::string& bytes) {
-  boost::system::error_code ignored;
-  socket.non_blocking(true, ignored);
-  socket.write_some(boost::asio::buffer(bytes), ignored);
-  socket.shutdown(tcp::socket::shutdown_send, ignored);
-  socket.close(ignored);
-}
-
-}  // namespace
 
 Listener::Listener(boost::asio::io_context& io, const ServerConfig& config,
                    ConnectionLimits& limits, BackOff& back_off, Metrics& metrics,

@@ -2,6 +2,7 @@
 
 #include <malloc.h>
 
+#include <algorithm>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/signal_set.hpp>
@@ -15,12 +16,14 @@
 
 #include "common/log.h"
 #include "net/admin.h"
+#include "net/agent_check.h"
 #include "net/connection.h"
 #include "net/connection_limits.h"
 #include "net/listener.h"
 #include "net/metrics.h"
 #include "net/quietly.h"
 #include "net/state_page.h"
+#include "net/supervisor.h"
 #include "net/tls.h"
 
 namespace amalgam::net {
@@ -48,7 +51,9 @@ class Server::Impl {
         signals_(io_),
         drain_timer_(io_),
         tick_timer_(io_) {
+    if (config.agent) agent_.emplace(io_, *config.agent, [this] { return agent_answer(); });
     admin_.start();
+    if (agent_) agent_->start();
   }
 
   // Sessions give their views back while the service and the counts are still there.
@@ -62,6 +67,7 @@ class Server::Impl {
       shared_.emplace(Connection::Shared{*context_, limits_, back_off_, tls_});
       listener_.start();
       phase_ = Phase::Serving;
+      tell_supervisor(ServiceState::Ready);
     });
   }
 
@@ -89,9 +95,11 @@ class Server::Impl {
   void configure(const ServerConfig& config) {
     auto tls = make_tls_context(config.tls);  // the one that may throw
     const common::HostPort listen = config_.listen, admin = config_.admin;
+    const auto agent = config_.agent;
     config_ = config;
     config_.listen = listen;
     config_.admin = admin;
+    config_.agent = agent;
     tls_ = std::move(tls);
     limits_.set_caps(config.connections);
     admission_.set_limits(config.admission);
@@ -101,6 +109,7 @@ class Server::Impl {
     metrics_.reloaded(!error);
     error ? common::log_error("reload: the old scene and configuration stay: " + *error)
           : common::log_info("reloaded");
+    if (phase_ == Phase::Serving) tell_supervisor(ServiceState::Ready);
   }
 
   void post(std::function<void()> step) { asio::post(io_, std::move(step)); }
@@ -113,9 +122,13 @@ class Server::Impl {
 
   common::HostPort address() const { return listener_.address(); }
   common::HostPort admin_address() const { return admin_.address(); }
+  std::optional<common::HostPort> agent_address() const {
+    return agent_ ? std::optional(agent_->address()) : std::nullopt;
+  }
 
  private:
-  enum class Phase { Loading, Serving, Draining, Finished };
+  // Leaving: still serves everybody, but tells load balancers to look elsewhere.
+  enum class Phase { Loading, Serving, Leaving, Draining, Finished };
 
   void admit(Listener::Admitted admitted) {
     const std::uint64_t id = ++last_session_;
@@ -137,8 +150,9 @@ class Server::Impl {
       if (ec) return;
       if (signal == SIGHUP) {
         wait_for_signal();
-        if (phase_ == Phase::Serving) reload_();
-        return;
+        if (phase_ != Phase::Serving) return;
+        tell_supervisor(ServiceState::Reloading);
+        return reload_();
       }
       if (phase_ != Phase::Serving) {
         // Asked twice, or nothing is served yet that could be finished. Rendering or loading may be
@@ -156,6 +170,7 @@ class Server::Impl {
     signals_.cancel(ignored);
     if (reload_) wait_for_signal();
     admin_.restart();
+    if (agent_) agent_->restart();
     listener_.restart();
     tick();
   }
@@ -164,6 +179,8 @@ class Server::Impl {
   // the system, but not so often that a busy server would always fetch it again.
   void tick() {
     if (phase_ == Phase::Finished) return;
+    // Whoever restarts silent services hears nothing of one whose renderer is stuck.
+    if (not_alive().empty()) tell_supervisor(ServiceState::Alive);
     const Clock::time_point now = Clock::now();
     const bool left_behind = gave_memory_back_ || (context_ && context_->large_messages);
     if (left_behind && now - trimmed_ > protocol::kTrimInterval) {
@@ -180,6 +197,18 @@ class Server::Impl {
 
   void begin_drain() {
     if (phase_ != Phase::Serving && phase_ != Phase::Loading) return;
+    tell_supervisor(ServiceState::Stopping);
+    if (phase_ == Phase::Loading || config_.drain_delay.count() == 0) return drain_sessions();
+    common::log_info("leaving: not ready any more, draining in " +
+                     std::to_string(config_.drain_delay.count()) + " ms");
+    phase_ = Phase::Leaving;
+    drain_timer_.expires_after(config_.drain_delay);
+    drain_timer_.async_wait([this](const boost::system::error_code& ec) {
+      if (!ec && phase_ == Phase::Leaving) drain_sessions();
+    });
+  }
+
+  void drain_sessions() {
     common::log_info("draining " + std::to_string(sessions_.size()) + " sessions");
     phase_ = Phase::Draining;
     listener_.close();
@@ -237,11 +266,17 @@ class Server::Impl {
         if (limits_.full()) return "full";
         if (limits_.full_of_strangers()) return "too many connections without a hello";
         return "";
+      case Phase::Leaving:
       case Phase::Draining:
       case Phase::Finished:
         return "draining";
     }
     return "";
+  }
+
+  std::string agent_answer() const {
+    if (phase_ != Phase::Serving) return "drain\n";
+    return agent_line(std::min(limits_.free_part(), admission_.free_part(load())));
   }
 
   std::string state() const {
@@ -272,6 +307,7 @@ class Server::Impl {
   asio::io_context io_{1};  // one thread: no locks on sockets
   std::map<std::uint64_t, std::shared_ptr<Connection>> sessions_;
   Admin admin_;
+  std::optional<AgentCheck> agent_;
   Listener listener_;
   asio::signal_set signals_;
   asio::steady_timer drain_timer_;
@@ -310,6 +346,9 @@ common::HostPort Server::address() const {
 }
 common::HostPort Server::admin_address() const {
   return impl_->admin_address();
+}
+std::optional<common::HostPort> Server::agent_address() const {
+  return impl_->agent_address();
 }
 
 }  // namespace amalgam::net

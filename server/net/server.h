@@ -40,14 +40,15 @@ class Server {
   // How a reload ended; nothing: well.
   void reload_ended(const std::optional<std::string>& error);
 
-  // Not ready from now on; sends Draining to clients and finishes frames in flight. Then run()
-  // returns, after ServerConfig::drain_timeout at the latest.
+  // Not ready from now on. After ServerConfig::drain_delay sends Draining to clients and finishes
+  // frames in flight. Then run() returns, after ServerConfig::drain_timeout at the latest.
   void drain();
   // Ends without finishing frames.
   void stop();
 
   common::HostPort address() const;
   common::HostPort admin_address() const;
+  std::optional<common::HostPort> agent_address() const;
 
  private:
   class Impl;

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,7 +50,8 @@ struct TlsFiles {
 struct ServerConfig {
   common::HostPort listen{"127.0.0.1", 7447};
   common::HostPort admin{"127.0.0.1", 7448};
-  std::vector<Grant> grants;  // empty: clients need no token
+  std::optional<common::HostPort> agent;  // where a load balancer asks for the free capacity
+  std::vector<Grant> grants;              // empty: clients need no token
   EnvironmentFrom environment_from = EnvironmentFrom::Authorised;
   std::vector<std::string> trusted_proxies;  // addresses whose PROXY headers are believed
   TlsFiles tls;
@@ -57,6 +59,9 @@ struct ServerConfig {
   SessionLimits session;
   ConnectionCaps connections;
   AdmissionLimits admission;
+  // From SIGTERM until Draining, so that a load balancer notices before sessions look for another
+  // server. New ones are still served.
+  std::chrono::milliseconds drain_delay{0};
   std::chrono::milliseconds drain_timeout = protocol::kDrainTimeout;
   // /livez fails when the renderer has made no progress with a frame for this long.
   std::chrono::milliseconds stuck_after = protocol::kStuckAfter;

@@ -30,12 +30,15 @@ ServerProcess::ServerProcess(std::vector<std::string> arguments, int stderr_desc
   }
   ::close(ends[1]);
   std::FILE* const output = ::fdopen(ends[0], "r");
-  char listen[64] = "", admin[64] = "";
-  const int read = std::fscanf(output, "listening on %63s admin %63s", listen, admin);
+  char line[256] = "", listen[64] = "", admin[64] = "", agent[64] = "";
+  const bool said = std::fgets(line, sizeof line, output) != nullptr;
   std::fclose(output);
-  if (read != 2) throw std::runtime_error("the server does not serve");
+  const int read =
+      std::sscanf(line, "listening on %63s admin %63s agent %63s", listen, admin, agent);
+  if (!said || read < 2) throw std::runtime_error("the server does not serve");
   address_ = common::parse_host_port(listen);
   admin_ = common::parse_host_port(admin);
+  if (read == 3) agent_ = common::parse_host_port(agent);
 }
 
 ServerProcess::~ServerProcess() {

@@ -26,12 +26,13 @@ class ServerProcess {
   int exit_code() const { return exit_code_; }
   const common::HostPort& address() const { return address_; }
   const common::HostPort& admin_address() const { return admin_; }
+  const common::HostPort& agent_address() const { return agent_; }  // with --agent-check
   pid_t id() const { return pid_; }
 
  private:
   pid_t pid_ = -1;
   int exit_code_ = -1;
-  common::HostPort address_, admin_;
+  common::HostPort address_, admin_, agent_;
 };
 
 }  // namespace amalgam::test

@@ -17,7 +17,7 @@ LoadSummary run(test::TestServer& server, LoadOptions options) {
   LoadSummary summary;
   boost::asio::io_context io(1);
   for (int i = 0; i < options.clients; ++i) {
-    std::make_shared<LoadClient>(io, options, image, summary)->start();
+    std::make_shared<LoadClient>(io, options, image, summary, i)->start();
   }
   io.run();
   return summary;
@@ -59,6 +59,9 @@ TEST(Load, ConnectionsAboveTheCapAreCountedAsLost) {
   const LoadSummary summary = run(server, options);
   EXPECT_EQ(summary.welcomed, 2);
   EXPECT_EQ(summary.lost, 1);
+  // Two from one address and one from another.
+  options.sources = 2;
+  EXPECT_EQ(run(server, options).welcomed, 3);
 }
 
 }  // namespace

@@ -13,7 +13,8 @@ namespace amalgam::tests {
 
 ChildProcess::ChildProcess(const std::string& program, std::vector<std::string> arguments,
                            Reads reads) {
-  const std::string path = std::string(AMALGAM_BINARY_DIR) + "/bin/" + program;
+  const std::string path =
+      program.front() == '/' ? program : std::string(AMALGAM_BINARY_DIR) + "/bin/" + program;
   std::vector<char*> argv{const_cast<char*>(path.c_str())};
   for (std::string& argument : arguments) argv.push_back(argument.data());
   argv.push_back(nullptr);

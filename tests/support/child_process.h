@@ -15,7 +15,7 @@ class ChildProcess {
   // Standard error goes to the test's own, or is read together with standard output.
   enum class Reads { Output, OutputAndErrors };
 
-  // Runs a program of the build's bin folder. Throws std::runtime_error.
+  // Runs a program of the build's bin folder, or one named by its path. Throws std::runtime_error.
   ChildProcess(const std::string& program, std::vector<std::string> arguments,
                Reads reads = Reads::Output);
   ~ChildProcess();

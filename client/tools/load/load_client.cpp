@@ -29,16 +29,18 @@ std::uint64_t microseconds(std::chrono::steady_clock::time_point time) {
 }  // namespace
 
 LoadClient::LoadClient(asio::io_context& io, const LoadOptions& options, const LoadImage& image,
-                       LoadSummary& summary)
+                       LoadSummary& summary, int number)
     : options_(options),
       image_(image),
       summary_(summary),
+      number_(number),
       socket_(io),
       timer_(io),
       buffer_(protocol::kReadBufferBytes) {}
 
 void LoadClient::start() {
   const tcp::endpoint server(asio::ip::make_address(options_.server.host), options_.server.port);
+  take_source_address();
   socket_.async_connect(server, [self = shared_from_this()](const ErrorCode& ec) {
     if (ec) return self->end(true);
     ErrorCode ignored;
@@ -46,6 +48,15 @@ void LoadClient::start() {
     self->say_hello();
     self->read();
   });
+}
+
+void LoadClient::take_source_address() {
+  if (options_.sources == 0) return;
+  // All of 127.0.0.0/8 is this machine.
+  constexpr unsigned kFirst = 0x7f000001;
+  const asio::ip::address_v4 address(kFirst + static_cast<unsigned>(number_ % options_.sources));
+  socket_.open(tcp::v4());
+  socket_.bind({address, 0});
 }
 
 void LoadClient::say_hello() {
@@ -165,6 +176,12 @@ void LoadClient::send_frame() {
   wait_for_next_frame();
 }
 
+double LoadClient::marker_distance() const {
+  if (!options_.moving) return kMarkerDistance;
+  // A millimetre a frame, up to a tenth away and back at once.
+  return kMarkerDistance * (1.0 + 0.0025 * static_cast<double>(last_frame_ % 40));
+}
+
 Envelope LoadClient::next_frame() {
   Envelope envelope;
   protocol::CameraFrame& frame = *envelope.mutable_camera_frame();
@@ -176,7 +193,7 @@ Envelope LoadClient::next_frame() {
   pose.mutable_rotation()->set_x(1.0);  // half a turn: the marker faces the camera
   pose.mutable_translation()->set_z(options_.fault == Fault::BadPose
                                         ? std::numeric_limits<double>::quiet_NaN()
-                                        : kMarkerDistance);
+                                        : marker_distance());
   return envelope;
 }
 

@@ -19,9 +19,9 @@ namespace amalgam::load {
 
 class LoadClient : public std::enable_shared_from_this<LoadClient> {
  public:
-  // All three outlive the client.
+  // All but the number outlive the client. number: 0 for the first client.
   LoadClient(boost::asio::io_context& io, const LoadOptions& options, const LoadImage& image,
-             LoadSummary& summary);
+             LoadSummary& summary, int number = 0);
   void start();
 
  private:
@@ -29,6 +29,7 @@ class LoadClient : public std::enable_shared_from_this<LoadClient> {
   using ErrorCode = boost::system::error_code;
   enum class State { Connecting, Sending, Waiting, Ended };
 
+  void take_source_address();
   void say_hello();
   void read();
   void take(std::size_t size);
@@ -39,6 +40,7 @@ class LoadClient : public std::enable_shared_from_this<LoadClient> {
   void wait_for_next_frame();
   void send_frame();
   protocol::Envelope next_frame();
+  double marker_distance() const;  // metres
   void answered(std::uint64_t frame_id);
   void cut();
   void wait_for_answers();
@@ -50,6 +52,7 @@ class LoadClient : public std::enable_shared_from_this<LoadClient> {
   const LoadOptions& options_;
   const LoadImage& image_;
   LoadSummary& summary_;
+  int number_;
   boost::asio::ip::tcp::socket socket_;
   boost::asio::steady_timer timer_;
   State state_ = State::Connecting;

@@ -22,7 +22,7 @@ LoadSummary run(const LoadOptions& options) {
   boost::asio::io_context io(1);
   const auto begin = std::chrono::steady_clock::now();
   for (int i = 0; i < options.clients; ++i) {
-    std::make_shared<LoadClient>(io, options, image, summary)->start();
+    std::make_shared<LoadClient>(io, options, image, summary, i)->start();
   }
   io.run();
   summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -46,6 +46,15 @@ std::optional<LoadOptions> parse_load_options(int argc, const char* const* argv)
   app.add_option("--image", options.image, "what every frame shows; default mid grey, 640 x 480")
       ->type_name("JPEG");
   app.add_option("--token-file", token_file, "file with the server's secret")->type_name("FILE");
+  app.add_option("--sources", options.sources,
+                 "loopback addresses (127.0.0.1, 127.0.0.2, ...) that clients come from in turn, "
+                 "because servers limit the clients of one address; 0: one, the system's choice")
+      ->capture_default_str()
+      ->type_name("N")
+      ->check(CLI::Range(0, 65000));
+  app.add_flag("--moving", options.moving,
+               "the marker moves; otherwise frames are like the last one, as on a tripod, and cost "
+               "a tenth");
   app.add_option("--faults", fault, "what the clients do wrong")
       ->capture_default_str()
       ->check(CLI::IsMember(faults));

@@ -25,6 +25,8 @@ struct LoadOptions {
   std::chrono::milliseconds duration{10000};
   std::string image;  // a JPEG file; empty: mid grey, 640 x 480
   std::string token;
+  int sources = 0;  // addresses 127.0.x.y that clients come from in turn; 0: the kernel's choice
+  bool moving = false;  // the marker, so that no frame is like the last one
   Fault fault = Fault::None;
 };
 

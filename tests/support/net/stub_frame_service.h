@@ -74,6 +74,15 @@ class StubFrameService final : public frame::FrameService {
 
   MarkerSet markers() const override { return {"DICT_6X6_250", 0.05, 40, {40, 23}}; }
 
+  frame::ServiceLoad load() const override {
+    const std::lock_guard lock(mutex_);
+    return load_;
+  }
+  void set_load(const frame::ServiceLoad& load) {
+    const std::lock_guard lock(mutex_);
+    load_ = load;
+  }
+
   // From here on frames are taken but not finished, until release().
   void hold() {
     const std::lock_guard lock(mutex_);
@@ -182,6 +191,7 @@ class StubFrameService final : public frame::FrameService {
   std::map<frame::ViewId, View> views_;
   std::vector<frame::EnvironmentInput> environments_;
   std::deque<std::function<void(std::optional<std::string>)>> environments_done_;
+  frame::ServiceLoad load_;
   frame::ViewId last_view_ = 0;
   std::size_t opened_ = 0, submitted_ = 0, taken_ = 0;
   bool held_ = false, ending_ = false;

@@ -40,6 +40,17 @@ int connect_to(const common::HostPort& server, int receive_buffer) {
   return handle;
 }
 
+// To the end of the stream, and closes it.
+std::string take_all(int handle) {
+  std::string text;
+  std::array<char, 4096> buffer;
+  for (ssize_t size = 0; (size = ::recv(handle, buffer.data(), buffer.size(), 0)) > 0;) {
+    text.append(buffer.data(), static_cast<std::size_t>(size));
+  }
+  ::close(handle);
+  return text;
+}
+
 }  // namespace
 
 TestClient::TestClient(const common::HostPort& server, int receive_buffer)
@@ -163,18 +174,16 @@ void add_pose(Envelope& frame, int marker, double z) {
   pose.mutable_translation()->set_z(z);
 }
 
+std::string read_to_end(const common::HostPort& server) {
+  return take_all(connect_to(server, 0));
+}
+
 HttpAnswer http_get(const common::HostPort& server, const std::string& path,
                     const std::string& method) {
   const int handle = connect_to(server, 0);
   const std::string request = method + " " + path + " HTTP/1.0\r\nHost: test\r\n\r\n";
-  std::string text;
-  if (::send(handle, request.data(), request.size(), MSG_NOSIGNAL) > 0) {
-    std::array<char, 4096> buffer;
-    for (ssize_t size = 0; (size = ::recv(handle, buffer.data(), buffer.size(), 0)) > 0;) {
-      text.append(buffer.data(), static_cast<std::size_t>(size));
-    }
-  }
-  ::close(handle);
+  ::send(handle, request.data(), request.size(), MSG_NOSIGNAL);
+  const std::string text = take_all(handle);
   HttpAnswer answer;
   const std::size_t end = text.find("\r\n\r\n");
   if (end == std::string::npos) return answer;

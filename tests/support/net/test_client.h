@@ -53,6 +53,9 @@ protocol::Envelope frame_message(std::uint64_t id, std::string_view jpeg = "jpeg
 protocol::Envelope environment_message(std::string_view jpeg);  // equirectangular
 void add_pose(protocol::Envelope& frame, int marker, double z = 0.5);
 
+// What a server says to whoever says nothing.
+std::string read_to_end(const common::HostPort& server);
+
 // The text of an HTTP answer and its status.
 struct HttpAnswer {
   int status = 0;
