@@ -13,7 +13,7 @@ endif()
 if(AMALGAM_SANITIZE)
   # Instrumented code misleads GCC 12 about what is initialised in Boost.Beast.
   list(APPEND AMALGAM_COMPILE_OPTIONS -fsanitize=${AMALGAM_SANITIZE} -fno-omit-frame-pointer -g
-       -Wno-maybe-uninitialized)
+       $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   add_link_options(-fsanitize=${AMALGAM_SANITIZE})
 endif()
 

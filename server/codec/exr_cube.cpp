@@ -22,7 +22,7 @@ glm::vec3 sample(const common::ImageRgb32f& cube, const Imath::V3f& direction) {
   };
   const auto [x, fx] = split(in_face.x);
   const auto [y, fy] = split(in_face.y);
-  const auto texel = [&](int dx, int dy) {
+  const auto texel = [&, x = x, y = y](int dx, int dy) {
     const Imath::V2f in_image =
         Imf::CubeMap::pixelPosition(face, window,
                                     Imath::V2f(static_cast<float>(std::min(x + dx, side - 1)),

@@ -124,7 +124,7 @@ class Admin::Connection : public std::enable_shared_from_this<Connection> {
 
 Admin::Admin(boost::asio::io_context& io, const common::HostPort& address,
              std::size_t max_connections, AdminPages pages)
-    : shared_(std::make_shared<Shared>(std::move(pages))),
+    : shared_(std::make_shared<Shared>(Shared{std::move(pages), {}})),
       max_connections_(max_connections),
       accept_loop_(io, address, [this](tcp::socket socket) { accept(std::move(socket)); }) {}
 

@@ -52,9 +52,9 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   }
 
  private:
-  static void refuse_repeated_names(const std::vector<std::pair<std::string, JsonValue>>& members) {
+  static void refuse_repeated_names(const std::vector<JsonMember>& members) {
     std::vector<std::string_view> names;
-    for (const auto& member : members) names.push_back(member.first);
+    for (const auto& member : members) names.push_back(member.name);
     std::sort(names.begin(), names.end());
     const auto twice = std::adjacent_find(names.begin(), names.end());
     if (twice == names.end()) return;
@@ -78,7 +78,8 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     if (open_.empty()) return root_ = std::move(value);
     JsonValue& parent = *open_.back();
     if (parent.kind == JsonValue::Kind::Array) return parent.items.emplace_back(std::move(value));
-    return parent.members.emplace_back(std::move(key_), std::move(value)).second;
+    parent.members.push_back({std::move(key_), std::move(value)});
+    return parent.members.back().value;
   }
 
   bool open(JsonValue::Kind kind) {

@@ -12,14 +12,21 @@
 
 namespace amalgam::scene {
 
+struct JsonMember;
+
 struct JsonValue {
   enum class Kind { Null, Boolean, Number, String, Array, Object };
   Kind kind = Kind::Null;
   bool boolean = false;
   double number = 0.0;  // exact for integers up to 2^53
   std::string string;
-  std::vector<JsonValue> items;                            // of an array
-  std::vector<std::pair<std::string, JsonValue>> members;  // of an object, in file order
+  std::vector<JsonValue> items;     // of an array
+  std::vector<JsonMember> members;  // of an object, in file order
+};
+
+struct JsonMember {
+  std::string name;
+  JsonValue value;
 };
 
 constexpr int kMaxJsonDepth = 64;
