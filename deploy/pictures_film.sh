@@ -1,6 +1,6 @@
 # Part of pictures.sh: the demo as a film. After pictures_clients.sh, which has serve().
 
-# The whole way of the synthetic camera, after which it begins again; every fourth frame is shown, twelve a second.
+# The whole way of the synthetic camera, after which it begins again. Every fourth frame is shown, about twelve a second.
 samples=adaptive serve deploy/scenes/complex.gltf --synthetic --synthetic-mirror --size 480x360 --frames 240
 shown=()
 for frame in $(seq 1 4 240); do
