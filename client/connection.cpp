@@ -12,6 +12,7 @@
 #include "client/event_queue.h"
 #include "client/link.h"
 #include "common/mailbox.h"
+#include "protocol/client_tls.h"
 
 namespace amalgam::client {
 namespace {
@@ -29,19 +30,6 @@ struct QueuedFrame {
   std::string bytes;
 };
 
-protocol::Stream::Tls make_tls(const ConnectionOptions& options) {
-  namespace ssl = asio::ssl;
-  if (!options.tls) return nullptr;
-  auto tls = std::make_shared<ssl::context>(ssl::context::tls_client);
-  SSL_CTX_set_min_proto_version(tls->native_handle(), TLS1_3_VERSION);
-  boost::system::error_code ec;
-  const std::string& file = options.certificate_authority;
-  file.empty() ? tls->set_default_verify_paths(ec) : tls->load_verify_file(file, ec);
-  if (ec)
-    throw std::runtime_error("the certificates in " + file + " cannot be used: " + ec.message());
-  return tls;
-}
-
 }  // namespace
 
 class Connection::Worker {
@@ -49,7 +37,7 @@ class Connection::Worker {
   Worker(const ConnectionOptions& options, const protocol::Hello& hello)
       : options_(options),
         hello_(hello),
-        tls_(make_tls(options)),
+        tls_(options.tls ? protocol::client_tls(options.certificate_authority) : nullptr),
         work_(io_.get_executor()),
         retry_timer_(io_) {}
 

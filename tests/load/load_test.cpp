@@ -1,10 +1,15 @@
 // The load program's own counts, against a server whose renderer is a stub.
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <boost/asio/io_context.hpp>
+#include <cstdlib>
+#include <filesystem>
 #include <memory>
 
 #include "client/tools/load/load_client.h"
+#include "protocol/client_tls.h"
 #include "support/net/test_server.h"
 
 namespace amalgam::load {
@@ -47,6 +52,27 @@ TEST(Load, FaultsAreAnswered) {
   options.fault = Fault::Cut;
   EXPECT_EQ(run(server, options).lost, 0);
   EXPECT_TRUE(server.service.wait_views(0));
+}
+
+TEST(Load, EncryptsForServersThatAreTrusted) {
+  namespace fs = std::filesystem;
+  const fs::path folder =
+      fs::temp_directory_path() / ("amalgam-load-" + std::to_string(::getpid()));
+  ASSERT_EQ(std::system(("deploy/make_test_certificate.sh " + folder.string()).c_str()), 0);
+  net::ServerConfig config = test::test_config();
+  config.tls = {folder / "server.crt", folder / "server.key"};
+  {
+    test::TestServer server(config);
+    LoadOptions options;
+    options.frames = 5;
+    options.tls = protocol::client_tls(folder / "server.crt");
+    const LoadSummary summary = run(server, options);
+    EXPECT_EQ(summary.welcomed, 1);
+    EXPECT_EQ(summary.composited + summary.skipped, 5u);
+    options.tls = protocol::client_tls("");
+    EXPECT_EQ(run(server, options).lost, 1);
+  }
+  fs::remove_all(folder);
 }
 
 TEST(Load, ConnectionsAboveTheCapAreCountedAsLost) {

@@ -2,7 +2,6 @@
 
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/ip/address.hpp>
-#include <boost/asio/write.hpp>
 #include <limits>
 #include <span>
 
@@ -34,20 +33,26 @@ LoadClient::LoadClient(asio::io_context& io, const LoadOptions& options, const L
       image_(image),
       summary_(summary),
       number_(number),
-      socket_(io),
+      stream_(tcp::socket(io)),
       timer_(io),
       buffer_(protocol::kReadBufferBytes) {}
 
 void LoadClient::start() {
   const tcp::endpoint server(asio::ip::make_address(options_.server.host), options_.server.port);
   take_source_address();
-  socket_.async_connect(server, [self = shared_from_this()](const ErrorCode& ec) {
+  stream_.socket().async_connect(server, [self = shared_from_this()](const ErrorCode& ec) {
     if (ec) return self->end(true);
     ErrorCode ignored;
-    self->socket_.set_option(tcp::no_delay(true), ignored);
-    self->say_hello();
-    self->read();
+    self->stream_.socket().set_option(tcp::no_delay(true), ignored);
+    self->options_.tls ? self->secure() : self->say_hello();
   });
+}
+
+void LoadClient::secure() {
+  stream_.handshake_as_client(options_.tls, options_.server.host,
+                              [self = shared_from_this()](const ErrorCode& ec) {
+                                ec ? self->end(true) : self->say_hello();
+                              });
 }
 
 void LoadClient::take_source_address() {
@@ -55,8 +60,8 @@ void LoadClient::take_source_address() {
   // All of 127.0.0.0/8 is this machine.
   constexpr unsigned kFirst = 0x7f000001;
   const asio::ip::address_v4 address(kFirst + static_cast<unsigned>(number_ % options_.sources));
-  socket_.open(tcp::v4());
-  socket_.bind({address, 0});
+  stream_.socket().open(tcp::v4());
+  stream_.socket().bind({address, 0});
 }
 
 void LoadClient::say_hello() {
@@ -72,18 +77,19 @@ void LoadClient::say_hello() {
   camera.set_cx((image_.width - 1) / 2.0);
   camera.set_cy((image_.height - 1) / 2.0);
   send(envelope);
+  read();
 }
 
 // --- what comes back ---
 
 void LoadClient::read() {
-  socket_.async_read_some(asio::buffer(buffer_),
-                          [self = shared_from_this()](const ErrorCode& ec, std::size_t size) {
-                            if (self->state_ == State::Ended) return;
-                            if (ec) return self->end(!self->draining_);
-                            self->take(size);
-                            if (self->state_ != State::Ended) self->read();
-                          });
+  stream_.read_some(asio::buffer(buffer_),
+                    [self = shared_from_this()](const ErrorCode& ec, std::size_t size) {
+                      if (self->state_ == State::Ended) return;
+                      if (ec) return self->end(!self->draining_);
+                      self->take(size);
+                      if (self->state_ != State::Ended) self->read();
+                    });
 }
 
 void LoadClient::take(std::size_t size) {
@@ -206,11 +212,10 @@ void LoadClient::wait_for_answers() {
 }
 
 void LoadClient::cut() {
-  std::string bytes = protocol::encode(next_frame());
-  bytes.resize(bytes.size() / 2);
-  ErrorCode ignored;
-  asio::write(socket_, asio::buffer(bytes), ignored);
-  end(false);
+  const auto bytes = std::make_shared<std::string>(protocol::encode(next_frame()));
+  bytes->resize(bytes->size() / 2);
+  stream_.write(asio::buffer(*bytes), [self = shared_from_this(), bytes](
+                                          const ErrorCode&, std::size_t) { self->end(false); });
 }
 
 void LoadClient::send(const Envelope& envelope) {
@@ -219,22 +224,21 @@ void LoadClient::send(const Envelope& envelope) {
 }
 
 void LoadClient::write() {
-  asio::async_write(socket_, asio::buffer(queue_.front()),
-                    [self = shared_from_this()](const ErrorCode& ec, std::size_t size) {
-                      if (self->state_ == State::Ended) return;
-                      if (ec) return self->end(!self->draining_);
-                      self->summary_.bytes_sent += size;
-                      self->queue_.pop_front();
-                      if (!self->queue_.empty()) self->write();
-                    });
+  stream_.write(asio::buffer(queue_.front()),
+                [self = shared_from_this()](const ErrorCode& ec, std::size_t size) {
+                  if (self->state_ == State::Ended) return;
+                  if (ec) return self->end(!self->draining_);
+                  self->summary_.bytes_sent += size;
+                  self->queue_.pop_front();
+                  if (!self->queue_.empty()) self->write();
+                });
 }
 
 void LoadClient::end(bool lost) {
   if (state_ == State::Ended) return;
   state_ = State::Ended;
   if (lost) ++summary_.lost;
-  ErrorCode ignored;
-  socket_.close(ignored);
+  stream_.close();
   timer_.cancel();
 }
 

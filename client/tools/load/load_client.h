@@ -2,7 +2,6 @@
 #pragma once
 
 #include <boost/asio/io_context.hpp>
-#include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <chrono>
 #include <deque>
@@ -14,6 +13,7 @@
 #include "client/tools/load/load_options.h"
 #include "client/tools/load/load_summary.h"
 #include "protocol/framing.h"
+#include "protocol/stream.h"
 
 namespace amalgam::load {
 
@@ -30,6 +30,7 @@ class LoadClient : public std::enable_shared_from_this<LoadClient> {
   enum class State { Connecting, Sending, Waiting, Ended };
 
   void take_source_address();
+  void secure();
   void say_hello();
   void read();
   void take(std::size_t size);
@@ -53,7 +54,7 @@ class LoadClient : public std::enable_shared_from_this<LoadClient> {
   const LoadImage& image_;
   LoadSummary& summary_;
   int number_;
-  boost::asio::ip::tcp::socket socket_;
+  protocol::Stream stream_;
   boost::asio::steady_timer timer_;
   State state_ = State::Connecting;
   bool draining_ = false;

@@ -7,6 +7,7 @@
 #include "common/build_info.h"
 #include "common/parse_command_line.h"
 #include "common/token_file.h"
+#include "protocol/client_tls.h"
 #include "protocol/limits.h"
 
 namespace amalgam::load {
@@ -19,7 +20,8 @@ std::optional<LoadOptions> parse_load_options(int argc, const char* const* argv)
   LoadOptions options;
   std::string server = "127.0.0.1:7447";
   std::string fault = "none";
-  std::string token_file;
+  std::string token_file, certificate_authority;
+  bool tls = false;
   double duration = 10.0;
   CLI::App app("Puts scripted load on an amalgam-server and prints what came back as JSON.",
                "amalgam-load");
@@ -46,6 +48,12 @@ std::optional<LoadOptions> parse_load_options(int argc, const char* const* argv)
   app.add_option("--image", options.image, "what every frame shows; default mid grey, 640 x 480")
       ->type_name("JPEG");
   app.add_option("--token-file", token_file, "file with the server's secret")->type_name("FILE");
+  auto* const tls_flag =
+      app.add_flag("--tls", tls, "encrypt, and ask the server for a certificate of its name");
+  app.add_option("--ca", certificate_authority,
+                 "certificates that are trusted with --tls; without it the system's")
+      ->type_name("PEM")
+      ->needs(tls_flag);
   app.add_option("--sources", options.sources,
                  "loopback addresses (127.0.0.1, 127.0.0.2, ...) that clients come from in turn, "
                  "because servers limit the clients of one address; 0: one, the system's choice")
@@ -61,6 +69,7 @@ std::optional<LoadOptions> parse_load_options(int argc, const char* const* argv)
   if (!common::parse_command_line(app, argc, argv)) return std::nullopt;
   options.server = common::parse_host_port(server);
   options.fault = faults.at(fault);
+  if (tls) options.tls = protocol::client_tls(certificate_authority);
   options.duration = std::chrono::milliseconds(static_cast<std::int64_t>(duration * 1000.0));
   if (!token_file.empty())
     options.token = common::read_token_file(token_file, protocol::kMaxTokenBytes);

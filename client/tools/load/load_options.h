@@ -7,6 +7,7 @@
 #include <string>
 
 #include "net/server_config.h"
+#include "protocol/stream.h"
 
 namespace amalgam::load {
 
@@ -25,6 +26,7 @@ struct LoadOptions {
   std::chrono::milliseconds duration{10000};
   std::string image;  // a JPEG file; empty: mid grey, 640 x 480
   std::string token;
+  protocol::Stream::Tls tls;  // null: not encrypted
   int sources = 0;  // addresses 127.0.x.y that clients come from in turn; 0: the kernel's choice
   bool moving = false;  // the marker, so that no frame is like the last one
   Fault fault = Fault::None;
