@@ -52,7 +52,7 @@ std::vector<std::string> told(const protocol::SizeLimits& limits, std::span<cons
 }
 
 bool keep_quiet() {
-  common::set_log_level("off");
+  common::set_log_level("error");
   protocol::take_over_protobuf_log();
   return true;
 }

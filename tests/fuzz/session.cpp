@@ -9,7 +9,7 @@ namespace amalgam::fuzz {
 namespace {
 
 net::ServerConfig make_config() {
-  common::set_log_level("off");
+  common::set_log_level("error");
   protocol::take_over_protobuf_log();
   net::ServerConfig config;
   config.session.environments_per_second = 1e6;  // by itself the clock would change what happens
