@@ -7,6 +7,7 @@
 #include <ImfStandardAttributes.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -26,7 +27,10 @@ using testing::ThrowsMessage;
 
 class ExrColors : public testing::Test {
  protected:
-  const std::filesystem::path path_ = std::filesystem::path(testing::TempDir()) / "exr_colors.exr";
+  // Tests run side by side, each in a process of its own.
+  const std::filesystem::path path_ = std::filesystem::path(testing::TempDir()) /
+                                      ("exr_colors_" + std::to_string(getpid()) + ".exr");
+  ~ExrColors() override { std::filesystem::remove(path_); }
 
   // Writes the image with these channel names for R, G and B.
   void write(Imf::Header header, const common::ImageRgb32f& image,

@@ -1,6 +1,7 @@
 #include "common/whole_file.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <iterator>
@@ -25,7 +26,8 @@ class WholeFile : public testing::Test {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), {}));
   }
 
-  const fs::path folder_ = fs::path(testing::TempDir()) / "amalgam_whole_file";
+  const fs::path folder_ =
+      fs::path(testing::TempDir()) / ("amalgam_whole_file_" + std::to_string(getpid()));
   const fs::path file_ = folder_ / "picture.png";
 };
 

@@ -142,9 +142,8 @@ TEST(InterfaceRadiance, OfARealFloorUnderVirtualWater) {
     add_liquid(scene, ior);
     add_floor(scene, test_support::make_diffuse(glm::vec3(0.3f)), scene::Role::Real);
     const common::ImageRgb8 camera(65, 65, {128, 128, 128});
-    const glm::vec3 in_air =
-        scene::inverse_tone_map(glm::vec3(scene::srgb_decode(std::uint8_t{128})),
-                                scene::tone_map_of(1.0f));
+    const glm::vec3 in_air = scene::inverse_tone_map(
+        glm::vec3(scene::srgb_decode(std::uint8_t{128})), scene::tone_map_of(1.0f));
     const glm::vec3 seen =
         seen_at(scene, 0.0,
                 {.settings = {.max_depth = 1},
