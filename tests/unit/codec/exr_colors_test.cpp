@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
 
@@ -159,7 +160,8 @@ TEST_F(ExrColors, CubeMapsBecomeLatitudeLongitude) {
         Imath::V3f d = Imf::CubeMap::direction(face, window, in_face);
         d /= std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
         const Imath::V2f at = Imf::CubeMap::pixelPosition(face, window, in_face);
-        cube.at(static_cast<int>(at.x + 0.5f), static_cast<int>(at.y + 0.5f)) = {d.x, d.y, d.z};
+        cube.at(static_cast<int>(std::lround(at.x)), static_cast<int>(std::lround(at.y))) = {
+            d.x, d.y, d.z};
       }
     }
   }
