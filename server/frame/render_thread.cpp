@@ -32,7 +32,7 @@ RenderThread::RenderThread(const MakeRenderer& make) {
   std::promise<void> started;
   auto ready = started.get_future();
   thread_ = std::jthread(
-      [this, &make, &started](std::stop_token stop) { run(std::move(stop), make, started); });
+      [this, &make, &started](const std::stop_token& stop) { run(stop, make, started); });
   ready.get();
 }
 
@@ -126,7 +126,7 @@ ServiceLoad RenderThread::load() const {
 
 // --- on the render thread ---
 
-void RenderThread::run(std::stop_token stop, const MakeRenderer& make,
+void RenderThread::run(const std::stop_token& stop, const MakeRenderer& make,
                        std::promise<void>& started) {
   try {
     adopt(make());
@@ -152,7 +152,7 @@ bool RenderThread::has_work(Clock::time_point now) const {
   return has_other_ || (turns_.any_waiting() && !turns_.withheld_until(now));
 }
 
-bool RenderThread::wait_for_work(std::stop_token stop) {
+bool RenderThread::wait_for_work(const std::stop_token& stop) {
   std::unique_lock lock(mutex_);
   for (;;) {
     const auto now = Clock::now();

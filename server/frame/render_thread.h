@@ -62,9 +62,9 @@ class RenderThread : public FrameService {
     Done done;
   };
 
-  void run(std::stop_token stop, const MakeRenderer& make, std::promise<void>& started);
+  void run(const std::stop_token& stop, const MakeRenderer& make, std::promise<void>& started);
   // False when asked to stop.
-  bool wait_for_work(std::stop_token stop);
+  bool wait_for_work(const std::stop_token& stop);
   bool has_work(Clock::time_point now) const;  // under mutex_
   void apply_renderer();
   void adopt(std::unique_ptr<ViewRenderer> renderer);

@@ -45,7 +45,7 @@ common::HostPort free_address() {
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
   socklen_t size = sizeof address;
   auto* const any = reinterpret_cast<sockaddr*>(&address);
-  ::bind(handle, any, size);
+  EXPECT_EQ(::bind(handle, any, size), 0);
   ::getsockname(handle, any, &size);
   ::close(handle);
   return {"127.0.0.1", ntohs(address.sin_port)};
@@ -95,13 +95,11 @@ class Haproxy : public testing::Test {
   }
 
   static std::vector<std::string> options() {
-    return {"--scene",           AMALGAM_SOURCE_DIR "/deploy/scenes/diffuse.gltf",
-            "--agent-check",     "127.0.0.1:0",
-            "--trusted-proxy",   "127.0.0.1",
-            "--max-per-address", "64",
-            "--max-load",        "0",
-            "--drain-delay",     "1.5",
-            "--log-level",       "warn"};
+    const std::string scene = AMALGAM_SOURCE_DIR "/deploy/scenes/diffuse.gltf";
+    return {"--scene",         scene,       "--agent-check",     "127.0.0.1:0",
+            "--trusted-proxy", "127.0.0.1", "--max-per-address", "64",
+            "--max-load",      "0",         "--drain-delay",     "1.5",
+            "--log-level",     "warn"};
   }
   ServerProcess a_{options(), STDERR_FILENO}, b_{options(), STDERR_FILENO};
   common::HostPort address_ = free_address();

@@ -96,7 +96,7 @@ std::optional<glm::vec3> white_on(const MeterGrid& grid, const glm::dmat4& camer
       if (entry.w < 0.5f || !lit || !std::isfinite(entry.x + entry.y + entry.z)) continue;
       const auto direction = common::pixel_direction(ideal, grid.ideal_pixel(i, j, ideal));
       if (!direction) continue;
-      const glm::dvec3 ray(*direction);
+      const glm::dvec3& ray = *direction;
       const double t = glm::dot(centre, normal) / glm::dot(ray, normal);
       if (!(t > 0.0) || !std::isfinite(t)) continue;
       const glm::dvec3 offset = t * ray - centre;

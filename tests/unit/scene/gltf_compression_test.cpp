@@ -269,7 +269,7 @@ std::string encode_webp() {
   const std::vector<std::uint8_t> pixels{10, 20, 30, 255, 200, 100, 50, 128};
   std::uint8_t* encoded = nullptr;
   const std::size_t size = WebPEncodeLosslessRGBA(pixels.data(), 2, 1, 8, &encoded);
-  const std::string bytes(reinterpret_cast<char*>(encoded), size);
+  std::string bytes(reinterpret_cast<char*>(encoded), size);
   WebPFree(encoded);
   return bytes;
 }
