@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "client/poses_file.h"
+
 namespace amalgam::client {
 namespace {
 
@@ -32,19 +34,6 @@ nlohmann::ordered_json smoothing_json(const std::optional<SmoothingReport>& repo
            {{"jitter_degrees", report->rotation.raw_jitter / kDegree},
             {"smoothed_jitter_degrees", report->rotation.smoothed_jitter / kDegree},
             {"lag_ms", report->rotation.lag * kMilli}}}};
-}
-
-// As amalgam-render's --poses takes them.
-nlohmann::ordered_json poses_json(const std::vector<common::MarkerPose>& poses) {
-  nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (const common::MarkerPose& pose : poses) {
-    const glm::dquat& q = pose.rotation;
-    const glm::dvec3& t = pose.translation;
-    json.push_back({{"marker", pose.marker},
-                    {"rotation", {q.x, q.y, q.z, q.w}},
-                    {"translation", {t.x, t.y, t.z}}});
-  }
-  return json;
 }
 
 }  // namespace

@@ -2,21 +2,33 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
 
 #include "frame/settings_options.h"
 #include "gl/shader_interface.h"
 
 namespace amalgam::tools {
+namespace {
+
+// An option that takes one of a few words; the first is the default.
+void add_choice(CLI::App& app, const char* name, const std::vector<std::string>& choices,
+                const std::function<void(const std::string&)>& choose, const std::string& help) {
+  app.add_option_function<std::string>(name, choose, help)
+      ->check(CLI::IsMember(choices))
+      ->default_str(choices.front());
+}
+
+}  // namespace
 
 void add_renderer_options(CLI::App& app, frame::RendererSettings& settings) {
   namespace names = frame::option_names;
-  app.add_option_function<std::string>(
-         names::kRenderer,
-         [&settings](const std::string& text) { settings.mode = frame::parse_renderer_mode(text); },
-         "hybrid (rasterise diffuse, trace specular), raytrace (trace all), raster (leave specular "
-         "objects out) or diffuse (paint them diffuse)")
-      ->check(CLI::IsMember({"hybrid", "raytrace", "raster", "diffuse"}))
-      ->default_str("hybrid");
+  add_choice(
+      app, names::kRenderer, {"hybrid", "raytrace", "raster", "diffuse"},
+      [&settings](const std::string& text) { settings.mode = frame::parse_renderer_mode(text); },
+      "hybrid (rasterise diffuse, trace specular), raytrace (trace all), raster (leave specular "
+      "objects out) or diffuse (paint them diffuse)");
   app.add_option_function<std::string>(
          names::kSamples,
          [&settings](const std::string& text) {
@@ -30,13 +42,11 @@ void add_renderer_options(CLI::App& app, frame::RendererSettings& settings) {
          "neighbours "
          "differ by more than THRESHOLD (display-linear, default 0.03)")
       ->default_str("1");
-  app.add_option_function<std::string>(
-         names::kShadowEdges,
-         [&settings](const std::string& text) { settings.trace_shadow_edges = text == "traced"; },
-         "edges of shadows on rasterised surfaces: map (as exact as a texel of the shadow map) or "
-         "traced")
-      ->check(CLI::IsMember({"map", "traced"}))
-      ->default_str("map");
+  add_choice(
+      app, names::kShadowEdges, {"map", "traced"},
+      [&settings](const std::string& text) { settings.trace_shadow_edges = text == "traced"; },
+      "edges of shadows on rasterised surfaces: map (as exact as a texel of the shadow map) or "
+      "traced");
   app.add_option(
          names::kMaxDepth, settings.trace.max_depth,
          "specular surfaces that a ray may meet; one that is cut off takes the environment's "
@@ -47,15 +57,13 @@ void add_renderer_options(CLI::App& app, frame::RendererSettings& settings) {
                  "share of a pixel [0, 1) below which a ray's branch ends")
       ->check(CLI::Range(0.0, 0.999))
       ->capture_default_str();
-  app.add_option_function<std::string>(
-         names::kFresnel,
-         [&settings](const std::string& text) {
-           settings.trace.fresnel =
-               text == "exact" ? trace::FresnelModel::Exact : trace::FresnelModel::Schlick;
-         },
-         "reflectance of glass: schlick or exact")
-      ->check(CLI::IsMember({"schlick", "exact"}))
-      ->default_str("schlick");
+  add_choice(
+      app, names::kFresnel, {"schlick", "exact"},
+      [&settings](const std::string& text) {
+        settings.trace.fresnel =
+            text == "exact" ? trace::FresnelModel::Exact : trace::FresnelModel::Schlick;
+      },
+      "reflectance of glass: schlick or exact");
   app.add_option_function<std::string>(
          names::kEnvLights,
          [&settings](const std::string& text) {
@@ -76,41 +84,33 @@ void add_renderer_options(CLI::App& app, frame::RendererSettings& settings) {
             return good ? std::string() : "'" + text + "' is not a number above 0";
           },
           ""));
-  app.add_option_function<std::string>(
-         names::kMeter,
-         [&settings](const std::string& text) {
-           settings.exposure_card = passes::parse_exposure_card(text);
-         },
-         "what the exposure is metered on: paper (the markers' paper, or the real surfaces where "
-         "that is not seen) or grey (the real surfaces, as bright as they are modelled)")
-      ->check(CLI::IsMember({"paper", "grey"}))
-      ->default_str("paper");
-  app.add_option_function<std::string>(
-         names::kWhiteBalance,
-         [&settings](const std::string& text) { settings.white_balance = text == "auto"; },
-         "auto: the metered exposure has a factor for each channel, by the markers' paper; off: "
-         "one for all")
-      ->check(CLI::IsMember({"auto", "off"}))
-      ->default_str("auto");
-  app.add_option_function<std::string>(
-         names::kToneMap,
-         [&settings](const std::string& text) {
-           settings.tone_curve.reset();
-           if (text != "auto") settings.tone_curve = scene::parse_tone_curve(text);
-         },
-         "the camera's response: reinhard (L / (1 + L)), linear (clipped at 1), or auto: by the "
-         "markers' contrast, reinhard where it cannot be measured or the exposure is fixed")
-      ->check(CLI::IsMember({"auto", "reinhard", "linear"}))
-      ->default_str("auto");
-  app.add_option_function<std::string>(
-         names::kRealSurfaces,
-         [&settings](const std::string& text) {
-           settings.real_surfaces = scene::parse_real_surfaces(text);
-         },
-         "what virtual objects do to real surfaces: ratio (the camera's color times modelled light "
-         "with / without them) or difference (plus the modelled difference, eq. 4.5)")
-      ->check(CLI::IsMember({"ratio", "difference"}))
-      ->default_str(scene::real_surfaces_name(settings.real_surfaces));
+  add_choice(
+      app, names::kMeter, {"paper", "grey"},
+      [&settings](const std::string& text) {
+        settings.exposure_card = passes::parse_exposure_card(text);
+      },
+      "what the exposure is metered on: paper (the markers' paper, or the real surfaces where "
+      "that is not seen) or grey (the real surfaces, as bright as they are modelled)");
+  add_choice(
+      app, names::kWhiteBalance, {"auto", "off"},
+      [&settings](const std::string& text) { settings.white_balance = text == "auto"; },
+      "auto: the metered exposure has a factor for each channel, by the markers' paper; off: "
+      "one for all");
+  add_choice(
+      app, names::kToneMap, {"auto", "reinhard", "linear"},
+      [&settings](const std::string& text) {
+        settings.tone_curve.reset();
+        if (text != "auto") settings.tone_curve = scene::parse_tone_curve(text);
+      },
+      "the camera's response: reinhard (L / (1 + L)), linear (clipped at 1), or auto: by the "
+      "markers' contrast, reinhard where it cannot be measured or the exposure is fixed");
+  add_choice(
+      app, names::kRealSurfaces, {"ratio", "difference"},
+      [&settings](const std::string& text) {
+        settings.real_surfaces = scene::parse_real_surfaces(text);
+      },
+      "what virtual objects do to real surfaces: ratio (the camera's color times modelled light "
+      "with / without them) or difference (plus the modelled difference, eq. 4.5)");
   app.add_option(names::kRenderScale, settings.render_scale,
                  "(0, 1]: pixels that virtual things are rendered in for each of the camera's, on "
                  "each axis; the camera image keeps all of its own")

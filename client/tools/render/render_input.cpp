@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
 #include "client/calibration.h"
 #include "client/marker_tracker.h"
+#include "client/poses_file.h"
 #include "codec/jpeg.h"
 #include "frame/default_view.h"
 #include "scene/marker_ids.h"
@@ -59,56 +59,6 @@ std::vector<common::MarkerPose> detect(const cv::Mat& bgr, const common::CameraM
 
 }  // namespace
 
-namespace {
-
-// The member of an object, as a T; errors name the key and not the JSON library.
-template <typename T>
-T member(const nlohmann::json& object, const char* key, const std::string& where,
-         const char* expected) {
-  const auto found = object.is_object() ? object.find(key) : object.end();
-  if (!object.is_object() || found == object.end()) {
-    throw std::runtime_error(where + " has no '" + key + "'");
-  }
-  try {
-    return found->template get<T>();
-  } catch (const nlohmann::json::exception&) {
-    throw std::runtime_error(where + ": '" + key + "' is not " + expected);
-  }
-}
-
-nlohmann::json read_json(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  if (!file) throw std::runtime_error(path.string() + ": cannot be read");
-  nlohmann::json json = nlohmann::json::parse(file, nullptr, false);
-  if (json.is_discarded()) throw std::runtime_error(path.string() + ": is not JSON");
-  return json;
-}
-
-}  // namespace
-
-std::vector<common::MarkerPose> load_poses(const std::filesystem::path& path) {
-  const auto entries =
-      member<std::vector<nlohmann::json>>(read_json(path), "poses", path.string(), "a list");
-  std::vector<common::MarkerPose> poses;
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    const std::string where = path.string() + ": poses[" + std::to_string(i) + "]";
-    const auto r = member<std::vector<double>>(entries[i], "rotation", where, "4 numbers x y z w");
-    const auto t = member<std::vector<double>>(entries[i], "translation", where, "3 numbers");
-    if (r.size() != 4) throw std::runtime_error(where + ": 'rotation' is not 4 numbers x y z w");
-    if (t.size() != 3) throw std::runtime_error(where + ": 'translation' is not 3 numbers");
-    poses.push_back({member<int>(entries[i], "marker", where, "a number"),
-                     glm::dquat(r[3], r[0], r[1], r[2]), glm::dvec3(t[0], t[1], t[2])});
-  }
-  for (const common::MarkerPose& pose : poses) {
-    if (!common::is_usable(pose)) {
-      throw std::runtime_error(path.string() + ": the pose of marker " +
-                               std::to_string(pose.marker) +
-                               " is no rotation and translation in metres");
-    }
-  }
-  return poses;
-}
-
 std::string describe_missing_markers(const RenderInput& input, const scene::Scene& scene) {
   const std::vector<int> wanted = scene::marker_ids(scene);
   std::string found;
@@ -138,7 +88,7 @@ RenderInput load_render_input(const RenderInputOptions& options, const scene::Sc
           ? client::fit_to_image(client::load_calibration(*options.calibration), width, height)
           : common::default_camera(width, height);
   if (options.poses) {
-    input.frame.poses = load_poses(*options.poses);
+    input.frame.poses = client::load_poses(*options.poses);
   } else if (options.camera_image) {
     input.frame.poses = detect(bgr, input.camera, scene);
     input.detected = true;

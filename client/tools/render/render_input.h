@@ -33,8 +33,4 @@ RenderInput load_render_input(const RenderInputOptions& options, const scene::Sc
 // Why nothing of the scene will show: no pose is one of its markers'. Empty if one is.
 std::string describe_missing_markers(const RenderInput& input, const scene::Scene& scene);
 
-// {"poses":[{"marker":40,"rotation":[x,y,z,w],"translation":[x,y,z]}]}: camera_from_marker, OpenCV
-// axes, metres. Throws std::runtime_error.
-std::vector<common::MarkerPose> load_poses(const std::filesystem::path& path);
-
 }  // namespace amalgam::tools

@@ -5,6 +5,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "client/poses_file.h"
+
 namespace amalgam::tools {
 namespace {
 
@@ -35,19 +37,6 @@ nlohmann::ordered_json quality_json(const frame::FrameQuality& quality) {
           {"render_scale", quality.render_scale},
           {"jpeg_quality", quality.jpeg_quality},
           {"bound", to_string(quality.bound)}};
-}
-
-// As --poses takes them.
-nlohmann::ordered_json poses_json(const std::vector<common::MarkerPose>& poses) {
-  nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (const common::MarkerPose& pose : poses) {
-    const glm::dquat& q = pose.rotation;
-    const glm::dvec3& t = pose.translation;
-    json.push_back({{"marker", pose.marker},
-                    {"rotation", {q.x, q.y, q.z, q.w}},
-                    {"translation", {t.x, t.y, t.z}}});
-  }
-  return json;
 }
 
 }  // namespace
@@ -89,7 +78,7 @@ void print_json(std::ostream& out, const std::vector<frame::FrameOutput>& frames
   if (last.quality) json["quality"] = quality_json(*last.quality);
   json["unchanged"] = frames.back().unchanged;
   json["frames"] = frames.size();
-  json["poses"] = poses_json(poses);
+  json["poses"] = client::poses_json(poses);
   out << json.dump(2) << "\n";
 }
 

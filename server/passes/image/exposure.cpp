@@ -20,7 +20,9 @@ std::optional<glm::vec3> exposure_of(const MeterReading& reading, const glm::vec
 scene::ToneMap meter(const ExposureInputs& in, const MeterGrid* grid,
                      const common::ImageRgb8& image) {
   std::vector<PaperSample> paper;
-  if (grid != nullptr) paper = sample_paper(*grid, in.markers, in.ideal, in.camera, image);
+  const bool wants_paper = !in.curve || in.card == ExposureCard::Paper;
+  if (grid != nullptr && wants_paper)
+    paper = sample_paper(*grid, in.markers, in.ideal, in.camera, image);
   const scene::ToneCurve curve =
       in.curve ? *in.curve : in.memory.update_curve(evidence_for_linear(paper));
   MeterReading reading;
