@@ -92,7 +92,8 @@ void Link::read() {
   stream_.read_some(asio::buffer(read_buffer_),
                     [self = shared_from_this()](const ErrorCode& ec, std::size_t size) {
                       if (self->state_ == State::Ended) return;
-                      if (ec == asio::error::eof) {
+                      // With TLS the server leaves out the farewell: messages have lengths.
+                      if (ec == asio::error::eof || ec == asio::ssl::error::stream_truncated) {
                         return self->end(LinkEnd::Kind::Lost, "the server closed the connection");
                       }
                       if (ec) return self->fail(ec, "read");

@@ -44,11 +44,20 @@ class NetworkThread {
   std::thread thread_;  // last: begins when everything else is there
 };
 
+// The renderer's thread calls back into the server and the reloader, so it ends before they do.
+struct StopsRendering {
+  std::unique_ptr<frame::RenderThread>& service;
+  ~StopsRendering() {
+    if (service) service->stop();
+  }
+};
+
 void serve(const ServerOptions& options, const ReloadOptions& reload_options) {
   frame::limit_llvmpipe_threads(options.render.renderer);
   std::unique_ptr<frame::RenderThread> service;  // outlives the server, which uses it
   net::Server server(options.net);
   std::optional<Reloader> reloader;
+  const StopsRendering stops_rendering{service};
   server.handle_signals([&] { reloader->reload(); });  // none before the server serves
   NetworkThread network(server);  // answers on the admin port while the scene is loaded
   common::log_info("loading " + options.scene);

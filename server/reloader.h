@@ -2,10 +2,13 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <string>
 #include <thread>
 
 #include "frame/render_thread.h"
 #include "net/server.h"
+#include "net/tls.h"
 #include "server/server_options.h"
 
 namespace amalgam {
@@ -20,15 +23,19 @@ class Reloader {
       : server_(server), service_(service), options_(std::move(options)) {}
 
   // On the network thread. The scene is loaded on a thread of its own, so that nobody waits for the
-  // disk. The renderer changes between two frames, and with it the configuration.
+  // disk. The renderer changes between two frames, and with it the configuration. Asked again while
+  // it loads, it loads once more when that is done.
   void reload();
 
  private:
-  void load(const ServerOptions& options);
+  using Tls = net::TlsContext;
+  void load(const ServerOptions& options, const Tls& tls);
+  void ended(const std::optional<std::string>& error);  // on the network thread
 
   net::Server& server_;
   frame::RenderThread& service_;
   ReloadOptions options_;
+  bool busy_ = false, again_ = false;  // used on the network thread
   std::jthread loading_;
 };
 

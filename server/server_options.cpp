@@ -1,6 +1,7 @@
 #include "server/server_options.h"
 
 #include <CLI/CLI.hpp>
+#include <boost/asio/ip/address.hpp>
 #include <chrono>
 #include <map>
 #include <stdexcept>
@@ -8,6 +9,7 @@
 #include "common/build_info.h"
 #include "common/parse_command_line.h"
 #include "frame/rendering_threads.h"
+#include "net/address_key.h"
 #include "server/renderer_options.h"
 
 namespace amalgam {
@@ -87,6 +89,15 @@ void add_security_options(CLI::App& app, net::ServerConfig& net, std::string& to
       ->default_str("authorised");
   app.add_option("--trusted-proxy", net.trusted_proxies,
                  "address whose connections begin with a PROXY header (version 2); repeatable")
+      ->transform(CLI::Validator(
+          [](std::string& text) {
+            boost::system::error_code ec;
+            const auto address = boost::asio::ip::make_address(text, ec);
+            if (ec) return "'" + text + "' is not a numeric IP address";
+            text = net::unmapped(address).to_string();
+            return std::string();
+          },
+          ""))
       ->type_name("ADDRESS");
   app.add_option("--tls-certificate", net.tls.certificate,
                  "chain of certificates; turns TLS 1.3 on")

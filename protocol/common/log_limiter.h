@@ -10,12 +10,13 @@
 #include <optional>
 
 #include "common/log.h"
+#include "common/rate_limit.h"
 
 namespace amalgam::common {
 
 class LogLimiter {
  public:
-  using Time = std::chrono::steady_clock::time_point;
+  using Time = RateLimit::Time;
   static constexpr double kBurst = 20.0;      // lines at once
   static constexpr double kPerSecond = 10.0;  // lines in the long run
 
@@ -24,8 +25,7 @@ class LogLimiter {
 
  private:
   struct Bucket {
-    double tokens = kBurst;
-    Time filled{};
+    RateLimit limit{kBurst, kPerSecond};
     std::uint64_t left_out = 0;
   };
   std::mutex mutex_;

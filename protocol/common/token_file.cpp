@@ -38,9 +38,11 @@ std::string read(const std::filesystem::path& path) {
 std::vector<TokenLine> parse(const std::filesystem::path& path, std::size_t max_bytes) {
   std::vector<TokenLine> lines;
   std::istringstream text(read(path));
+  int number = 0;
   for (std::string line; std::getline(text, line);) {
+    ++number;
     std::istringstream words(line);
-    TokenLine parsed;
+    TokenLine parsed{.number = number, .token = {}, .rights = {}};
     if (!(words >> parsed.token)) continue;
     if (parsed.token.size() > max_bytes) {
       fail(path, "holds a token of more than " + std::to_string(max_bytes) + " bytes");

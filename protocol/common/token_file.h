@@ -14,6 +14,7 @@ namespace amalgam::common {
 std::string read_token_file(const std::filesystem::path& path, std::size_t max_bytes);
 
 struct TokenLine {
+  int number = 0;  // in the file, from 1
   std::string token;
   std::vector<std::string> rights;  // as written behind it
 };

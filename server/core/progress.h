@@ -14,10 +14,10 @@ struct Cancelled : std::runtime_error {
 
 class Progress {
  public:
-  // A new frame, which is not cancelled.
+  // A new frame, which is not cancelled. Does not throw.
   void begin() {
     cancelled_ = false;
-    step();
+    steps_.fetch_add(1, std::memory_order_relaxed);
   }
   void cancel() { cancelled_ = true; }
 

@@ -39,13 +39,18 @@ RenderThread::RenderThread(const MakeRenderer& make) {
 RenderThread::RenderThread(const std::string& scene_path, const RenderServiceOptions& options)
     : RenderThread(renderer_of_file(scene_path, options.renderer)) {}
 
-RenderThread::~RenderThread() {
+void RenderThread::stop() {
   thread_.request_stop();
-  progress_.cancel();
+  {
+    // No frame begins after this: take_next_view() looks under the same lock.
+    const std::lock_guard lock(mutex_);
+    progress_.cancel();
+  }
+  if (thread_.joinable()) thread_.join();
 }
 
 ViewId RenderThread::open_view(const ViewOptions& options, Deliver deliver) {
-  static_cast<void>(ViewState(options));  // throws for a camera that cannot be rendered with
+  check_view(options);
   const std::lock_guard lock(mutex_);
   const ViewId id = ++last_id_;
   views_.emplace(id, std::make_shared<View>(id, options, std::move(deliver)));
@@ -140,7 +145,7 @@ void RenderThread::run(const std::stop_token& stop, const MakeRenderer& make,
   while (wait_for_work(stop)) {
     apply_renderer();
     apply_environment();
-    if (const auto view = take_next_view()) serve(*view);
+    if (const auto view = take_next_view(stop)) serve(*view);
   }
   // Views are freed where their states were made.
   const std::lock_guard lock(mutex_);
@@ -149,7 +154,7 @@ void RenderThread::run(const std::stop_token& stop, const MakeRenderer& make,
 }
 
 bool RenderThread::has_work(Clock::time_point now) const {
-  return has_other_ || (turns_.any_waiting() && !turns_.withheld_until(now));
+  return has_other_ || turns_.any_ready(now);
 }
 
 bool RenderThread::wait_for_work(const std::stop_token& stop) {
@@ -204,8 +209,9 @@ void RenderThread::apply_environment() {
   }
 }
 
-std::shared_ptr<RenderThread::View> RenderThread::take_next_view() {
+std::shared_ptr<RenderThread::View> RenderThread::take_next_view(const std::stop_token& stop) {
   const std::lock_guard lock(mutex_);
+  if (stop.stop_requested()) return nullptr;
   const auto next = turns_.next(Clock::now());
   if (!next) return nullptr;
   serving_ = *next;

@@ -34,8 +34,11 @@ class RenderThread : public FrameService {
   explicit RenderThread(const MakeRenderer& make);
   // Loads the scene. Throws as load_scene() and FrameRenderer do.
   RenderThread(const std::string& scene_path, const RenderServiceOptions& options);
-  // Cancels the frame in flight; waiting frames are dropped.
-  ~RenderThread() override;
+  ~RenderThread() override { stop(); }
+
+  // Cancels the frame in flight and drops waiting ones. When this returns, nothing that was handed
+  // over (Deliver, Done) will be called any more.
+  void stop();
 
   ViewId open_view(const ViewOptions& options, Deliver deliver) override;
   bool submit(ViewId view, std::uint64_t ticket, FrameInput input) override;
@@ -69,8 +72,8 @@ class RenderThread : public FrameService {
   void apply_renderer();
   void adopt(std::unique_ptr<ViewRenderer> renderer);
   void apply_environment();
-  // The view whose turn it is; null if nobody's is.
-  std::shared_ptr<View> take_next_view();
+  // The view whose turn it is; null if nobody's is, or when asked to stop.
+  std::shared_ptr<View> take_next_view(const std::stop_token& stop);
   void serve(View& view);
   FrameResult render(View& view, FrameInput& input);
 

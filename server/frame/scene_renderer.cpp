@@ -32,6 +32,7 @@ class SceneRenderer : public ViewRenderer {
  public:
   SceneRenderer(scene::Scene scene, const RendererSettings& settings)
       : renderer_(std::move(scene), settings) {
+    for (const std::string& warning : renderer_.scene().warnings) common::log_warn(warning);
     // The first frame compiles shaders and draws shadow maps, for which the first client would wait
     // seconds. The second one tells what a frame costs.
     warm_up();
@@ -88,9 +89,7 @@ class SceneRenderer : public ViewRenderer {
 
 MakeRenderer renderer_of_file(const std::string& scene_path, const RendererSettings& settings) {
   return [scene_path, settings] {
-    scene::Scene scene = scene::load_scene(scene_path);
-    for (const std::string& warning : scene.warnings) common::log_warn(warning);
-    return std::make_unique<SceneRenderer>(std::move(scene), settings);
+    return std::make_unique<SceneRenderer>(scene::load_scene(scene_path), settings);
   };
 }
 

@@ -53,7 +53,8 @@ std::optional<Turns::Id> Turns::next(Time now) {
   }
   if (best == views_.end()) return std::nullopt;
   best->second.waits = false;
-  virtual_time_ = best->second.start;
+  // A view whose turn was withheld lies behind; the others' time goes on from where it was.
+  virtual_time_ = std::max(virtual_time_, best->second.start);
   last_served_ = best->first;
   return best->first;
 }
@@ -113,9 +114,10 @@ std::optional<Turns::Time> Turns::withheld_until(Time now) const {
   return std::nullopt;
 }
 
-bool Turns::any_waiting() const {
-  return std::any_of(views_.begin(), views_.end(),
-                     [](const auto& entry) { return entry.second.waits; });
+bool Turns::any_ready(Time now) const {
+  return std::any_of(views_.begin(), views_.end(), [&](const auto& entry) {
+    return entry.second.waits && !withheld(entry.first, entry.second, now);
+  });
 }
 
 double Turns::demand(Time now) const {

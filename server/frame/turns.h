@@ -43,7 +43,8 @@ class Turns {
   // A frame's cost where none was served yet, as measured otherwise.
   void assume_seconds_per_pixel(double seconds) { seconds_per_pixel_ = seconds; }
 
-  bool any_waiting() const;
+  // Whether next() would give a turn.
+  bool any_ready(Time now) const;
   double demand(Time now) const;
   double mean_rate(Time now) const;  // frames a second of an open view
   double seconds_per_pixel() const { return seconds_per_pixel_; }

@@ -12,8 +12,11 @@
 
 namespace amalgam::frame {
 
+// Throws std::invalid_argument if the view cannot be rendered.
+void check_view(const ViewOptions& options);
+
 struct ViewState {
-  // Throws std::invalid_argument if the camera cannot be rendered with.
+  // Throws as check_view().
   explicit ViewState(const ViewOptions& options);
 
   ViewOptions options;

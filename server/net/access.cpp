@@ -38,7 +38,7 @@ std::vector<Grant> read_grants(const std::string& path) {
       } else {
         // Not quoted: it may be a part of a token.
         throw std::runtime_error("the token file " + path + " gives a right in line " +
-                                 std::to_string(grants.size() + 1) +
+                                 std::to_string(line.number) +
                                  " that is none of view, environment");
       }
     }

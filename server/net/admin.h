@@ -31,6 +31,7 @@ class Admin {
   void start();
   void restart() { accept_loop_.restart(); }
   void close() { accept_loop_.close(); }
+  void set_max_connections(std::size_t most) { max_connections_ = most; }
   common::HostPort address() const { return accept_loop_.address(); }
 
  private:

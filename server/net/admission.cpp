@@ -5,7 +5,7 @@
 namespace amalgam::net {
 
 std::uint64_t memory_of_session(const common::CameraModel& camera) {
-  // What a view keeps while nothing moves (still_frame.h), and a waiting composite.
+  // Measured: kept results of one sample a pixel (frame/still_frame.h), and a waiting composite.
   constexpr std::uint64_t kBytesPerPixel = 32;
   return 3 * std::uint64_t{protocol::kMaxCameraFrameBytes} +
          kBytesPerPixel * static_cast<std::uint64_t>(camera.width) *

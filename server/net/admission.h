@@ -38,8 +38,9 @@ class Admission {
   std::uint64_t sessions_ = 0;
 };
 
-// Bytes that a session may need at once: three messages of the largest size, and its images while a
-// frame is rendered.
+// Bytes that a session is expected to need: three messages of the largest size, and what its view
+// usually keeps from frame to frame. While nothing moves a view may keep more for a time, at most
+// frame::StillView::kMostBytes (64 MiB).
 std::uint64_t memory_of_session(const common::CameraModel& camera);
 
 }  // namespace amalgam::net

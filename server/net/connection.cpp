@@ -130,6 +130,7 @@ void Connection::secure() {
       if (self->state_ == State::Ended) return;
       if (ec) return self->lost(ec, "TLS");
       self->secured_ = true;
+      self->write();  // a farewell may be waiting already
       self->read();
     });
   });

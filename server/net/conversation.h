@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "common/rate_limit.h"
 #include "frame/frame.h"
 #include "net/admission.h"
 #include "net/answer.h"
@@ -19,7 +20,6 @@
 #include "net/frame_ledger.h"
 #include "net/metrics.h"
 #include "net/pose_hold.h"
-#include "net/rate_limit.h"
 #include "net/server_config.h"
 #include "net/session_report.h"
 
@@ -116,7 +116,7 @@ class Conversation {
   PoseHold pose_hold_;
   CaptureClock capture_clock_;
   EnvironmentSlot environments_;
-  RateLimit environment_rate_;
+  common::RateLimit environment_rate_;
   FrameLedger ledger_;
 };
 

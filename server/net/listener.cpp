@@ -29,7 +29,7 @@ void Listener::judge(tcp::socket socket) {
   const tcp::endpoint peer = socket.remote_endpoint(ec);
   if (ec) return;  // gone already
   const auto& proxies = config_.trusted_proxies;
-  const std::string address = peer.address().to_string();
+  const std::string address = unmapped(peer.address()).to_string();
   const bool by_proxy = std::find(proxies.begin(), proxies.end(), address) != proxies.end();
   const std::string key = address_key(peer.address());
   if (!by_proxy) {

@@ -24,7 +24,7 @@ class Listener {
   };
   using OnAdmitted = std::function<void(Admitted)>;
 
-  // All but the address outlive the Listener.
+  // All outlive the Listener.
   Listener(boost::asio::io_context& io, const ServerConfig& config, ConnectionLimits& limits,
            BackOff& back_off, Metrics& metrics, OnAdmitted on_admitted);
 

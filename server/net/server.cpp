@@ -92,8 +92,7 @@ class Server::Impl {
     for (const int signal : {SIGTERM, SIGINT, SIGHUP}) signals_.add(signal);
   }
 
-  void configure(const ServerConfig& config) {
-    auto tls = make_tls_context(config.tls);  // the one that may throw
+  void configure(const ServerConfig& config, TlsContext tls) {
     const common::HostPort listen = config_.listen, admin = config_.admin;
     const auto agent = config_.agent;
     config_ = config;
@@ -103,6 +102,7 @@ class Server::Impl {
     tls_ = std::move(tls);
     limits_.set_caps(config.connections);
     admission_.set_limits(config.admission);
+    admin_.set_max_connections(config.connections.admin);
   }
 
   void reload_ended(const std::optional<std::string>& error) {
@@ -329,8 +329,8 @@ void Server::handle_signals(std::function<void()> reload) {
 void Server::post(std::function<void()> step) {
   impl_->post(std::move(step));
 }
-void Server::configure(const ServerConfig& config) {
-  impl_->configure(config);
+void Server::configure(const ServerConfig& config, TlsContext tls) {
+  impl_->configure(config, std::move(tls));
 }
 void Server::reload_ended(const std::optional<std::string>& error) {
   impl_->reload_ended(error);

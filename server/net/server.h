@@ -9,6 +9,7 @@
 
 #include "frame/frame.h"
 #include "net/server_config.h"
+#include "net/tls.h"
 
 namespace amalgam::net {
 
@@ -34,9 +35,9 @@ class Server {
   void post(std::function<void()> step);
 
   // Takes over what may change while sessions are open: tokens and rights, limits, certificates,
-  // trusted proxies. Sessions keep what they were promised; addresses stay. Throws
-  // std::runtime_error, and then nothing has changed. On the network thread only.
-  void configure(const ServerConfig& config);
+  // trusted proxies. Sessions keep what they were promised; addresses stay. tls: of config.tls. On
+  // the network thread only.
+  void configure(const ServerConfig& config, TlsContext tls);
   // How a reload ended; nothing: well.
   void reload_ended(const std::optional<std::string>& error);
 

@@ -53,7 +53,7 @@ struct ServerConfig {
   std::optional<common::HostPort> agent;  // where a load balancer asks for the free capacity
   std::vector<Grant> grants;              // empty: clients need no token
   EnvironmentFrom environment_from = EnvironmentFrom::Authorised;
-  std::vector<std::string> trusted_proxies;  // addresses whose PROXY headers are believed
+  std::vector<std::string> trusted_proxies;  // unmapped addresses whose PROXY headers are believed
   TlsFiles tls;
   std::string ray_tracer;  // name and version, for the /state page
   SessionLimits session;

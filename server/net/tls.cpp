@@ -7,7 +7,7 @@
 
 namespace amalgam::net {
 
-std::shared_ptr<boost::asio::ssl::context> make_tls_context(const TlsFiles& files) {
+TlsContext make_tls_context(const TlsFiles& files) {
   namespace ssl = boost::asio::ssl;
   if (files.certificate.empty() && files.key.empty()) return nullptr;
   if (files.certificate.empty() || files.key.empty()) {

@@ -8,9 +8,11 @@
 
 namespace amalgam::net {
 
+using TlsContext = std::shared_ptr<boost::asio::ssl::context>;
+
 // Connections that were made with a context keep it, so it can be replaced at any time. Null
 // without files. Throws std::runtime_error, with one line, for files that cannot be used or do not
 // belong together.
-std::shared_ptr<boost::asio::ssl::context> make_tls_context(const TlsFiles& files);
+TlsContext make_tls_context(const TlsFiles& files);
 
 }  // namespace amalgam::net

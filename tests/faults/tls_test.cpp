@@ -139,8 +139,8 @@ TEST_F(Tls, ANewCertificateIsForNewConnections) {
     // A bad one leaves everything as it was.
     net::ServerConfig bad = config_;
     bad.tls.key = "/nonexistent.key";
-    EXPECT_THROW(server.server().configure(bad), std::runtime_error);
-    server.server().configure(changed);
+    EXPECT_THROW(net::make_tls_context(bad.tls), std::runtime_error);
+    server.server().configure(changed, net::make_tls_context(changed.tls));
     configured.set_value(true);
   });
   configured.get_future().wait();

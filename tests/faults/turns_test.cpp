@@ -51,8 +51,15 @@ void simulate(Turns& turns, std::map<Turns::Id, Client>& clients, double seconds
   };
   while (now < at(seconds)) {
     arrive(now);
+    // The renderer's thread sleeps unless a turn is ready, until one will be.
+    const bool ready = turns.any_ready(now);
     const auto turn = turns.next(now);
+    ASSERT_EQ(ready, turn.has_value());
     if (!turn) {
+      const auto until = turns.withheld_until(now);
+      if (until) {
+        ASSERT_GT(*until, now);
+      }
       now += std::chrono::microseconds(500);
       continue;
     }
@@ -86,6 +93,34 @@ TEST(Turns, OneHeavyClientCostsLightOnesAFifthAtMost) {
     EXPECT_GE(worst, 0.8) << heavy_cost;
     EXPECT_GE(clients[4].served, 2);  // and it is served too
   }
+}
+
+// Long turns that were withheld must not turn back the others' time: who comes later would be owed
+// all of it.
+TEST(Turns, WhoComesLateIsOwedNothing) {
+  Turns turns;
+  std::map<Turns::Id, Client> clients;
+  for (Turns::Id id = 1; id <= 3; ++id) clients[id] = {.period = 0.25, .cost = 0.08};
+  clients[4] = {.period = 0.2, .cost = 1.0, .pixels = 2048 * 2048};
+  simulate(turns, clients, 600.0);
+  // Two that send all the time: one has been there, one is new. Neither comes first for long.
+  turns.close(4);
+  turns.close(3);
+  turns.close(2);
+  turns.open(5, 640 * 480);
+  const Time begin = at(700.0);
+  Time now = begin;
+  std::map<Turns::Id, int> served;
+  for (int i = 0; i < 100; ++i) {
+    turns.submitted(1, now);
+    turns.submitted(5, now);
+    const auto turn = turns.next(now);
+    ASSERT_TRUE(turn);
+    ++served[*turn];
+    now += std::chrono::milliseconds(80);
+    turns.served(*turn, Seconds(0.08), now);
+  }
+  EXPECT_NEAR(served[1], served[5], 20);
 }
 
 TEST(Turns, TimeIsSharedByCostAndNotByFrame) {

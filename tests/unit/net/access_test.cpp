@@ -58,6 +58,12 @@ TEST_F(GrantFile, WhatCannotBeMeantIsRefused) {
     EXPECT_THAT(error.what(), testing::HasSubstr("line 1"));
     EXPECT_THAT(error.what(), Not(testing::HasSubstr("sesame")));
   }
+  try {
+    read_grants(write("guest\n\n\nopen sesame\n"));
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("line 4")) << "empty lines count as lines";
+  }
   const std::string path = write("guest\n");
   for (const fs::perms loose : {fs::perms::others_read, fs::perms::others_write}) {
     fs::permissions(path, fs::perms::owner_read | loose);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <chrono>
 
-namespace amalgam::net {
+namespace amalgam::common {
 
 class RateLimit {
  public:
@@ -26,4 +26,4 @@ class RateLimit {
   Time filled_{};
 };
 
-}  // namespace amalgam::net
+}  // namespace amalgam::common
