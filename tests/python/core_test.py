@@ -123,6 +123,14 @@ def test_two_bodies_are_refused_and_unknown_fields_are_not():
     assert conversation.take_output() == encode(Envelope(pong={"nonce": 3}))
 
 
+# Some versions of protobuf warn as well.
+@pytest.mark.filterwarnings("ignore:Unexpected end-group tag")
+def test_a_stray_end_of_a_group_is_refused():
+    (event,) = running().receive((3).to_bytes(4, "little") + b"\x22\x01\x0c", 0)
+    assert isinstance(event.error, amalgam.ProtocolViolation)
+
+
+@pytest.mark.filterwarnings("ignore:Unexpected end-group tag")
 def test_random_bytes_end_the_session_once_and_raise_nothing():
     chance = random.Random(7)
     whole = [examples()[name] for name in FROM_SERVERS] + [support.composite(1)]

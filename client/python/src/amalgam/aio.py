@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import ssl
 import time
 from dataclasses import dataclass
@@ -123,7 +124,9 @@ class AsyncSession:
         self._reading.cancel()
         await asyncio.wait([self._reading])
         self._dispatch(self._core.lost(errors.SessionClosed("the session was closed")))
-        self._writer.transport.abort()
+        # asyncio's TLS transport forgets its protocol when it is closed twice, and fails then.
+        with contextlib.suppress(AttributeError):
+            self._writer.transport.abort()
 
     # --- what a user asks for ---
 
@@ -181,11 +184,12 @@ class AsyncSession:
         """Sends frames as they come and yields their composites, in order.
 
         frames: frames as for send(), or pairs of a frame and its poses. newest_wins: while in_flight frames are
-        unanswered, a newer frame replaces the one that waits, as live cameras need it; False: the source waits.
+        unanswered, a newer frame replaces the one that waits, as live cameras need it. False: the source waits until
+        each frame is answered, because a server too keeps only the newest of several.
         Composite.index says which frame it is of, and Composite.skipped which ones were left out right before it.
         on_rejected(index, error) is called for a rejected frame; without it, the error is raised.
         """
-        return stream(self, frames, newest_wins, in_flight, on_rejected)
+        return stream(self, frames, newest_wins, in_flight if newest_wins else 1, on_rejected)
 
     async def set_environment(self, image: Union[bytes, Path], *, fisheye: Optional[Fisheye] = None, own: bool = False,
                               wait: float = 0.5) -> None:

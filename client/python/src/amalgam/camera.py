@@ -49,9 +49,10 @@ class Camera:
         size: width and height of the frames, if they are not the calibration's; scales it. Raises LimitError with
         one line if the file cannot be used.
         """
+        # OpenCV 4.6 raises some of its errors inside a SystemError.
         try:
             return _read(pathlib.Path(file), size)
-        except (OSError, UnicodeDecodeError, opencv().error) as error:
+        except (OSError, UnicodeDecodeError, opencv().error, SystemError) as error:
             raise LimitError(f"calibration {file}: cannot be read ({str(error).splitlines()[0]})") from None
         except LimitError as error:
             raise LimitError(f"calibration {file}: {error}") from None

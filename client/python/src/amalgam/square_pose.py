@@ -70,7 +70,9 @@ def _solve_ideal(corners: npt.NDArray[np.float64], marker: int, length: float, c
     solutions = []
     for turn, shift, error in zip(rotations, translations, np.ravel(errors)):
         matrix, translation = cv2.Rodrigues(turn)[0], shift.ravel()
-        sound = np.isfinite(matrix).all() and math.isfinite(error) and translation[2] > 0
+        # Longer vectors come from a division by almost 0, see solve_square().
+        is_turn = np.linalg.norm(turn) <= math.pi + 1e-6
+        sound = is_turn and np.isfinite(matrix).all() and math.isfinite(error) and translation[2] > 0
         # Paper is printed on one side.
         if sound and matrix[:, 2] @ translation < 0:
             x, y, z, w = map(float, _quaternion(matrix))
@@ -85,11 +87,12 @@ def solve_square(corners: npt.NDArray[np.float64], marker: int, length: float, c
     if ideal is None:
         return []
     solutions = _solve_ideal(ideal, marker, length, camera)
-    if not solutions:
-        # A marker that faces the camera exactly is a turn by pi, where OpenCV divides by 0. A nudge far below what a
-        # corner is known to gets it out of there.
+    if len(solutions) < 2:
+        # A marker that faces the camera exactly is a turn by pi, where OpenCV divides by (almost) 0: the right
+        # solution is missing, or both are. A nudge far below what a corner is known to gets it out of there.
         ideal[0, 0] += _NUDGE
-        solutions = _solve_ideal(ideal, marker, length, camera)
+        nudged = _solve_ideal(ideal, marker, length, camera)
+        solutions = nudged if len(nudged) > len(solutions) else solutions
     return solutions
 
 
