@@ -29,7 +29,8 @@ assert (package / "py.typed").exists() and (package / "amalgam_pb2.pyi").exists(
 PYTHON
 
 # Without protoc it says what to install.
-if output=$(PATH=/nowhere "$environment/bin/python" "$environment.source/client/python/setup.py" -q build 2>&1); then
+cd "$environment.source/client/python"
+if output=$(PATH=/nowhere "$environment/bin/python" setup.py -q build 2>&1); then
   echo "a build without protoc succeeded" >&2
   exit 1
 fi
