@@ -239,6 +239,8 @@ def test_other_limits_are_checked_before_sending():
     good = amalgam.Pose(40, (0, 0, 0, 1), (0, 0, 1))
     with pytest.raises(amalgam.TooManyPoses):
         send(conversation, poses=[good] * 65)
+    with pytest.raises(amalgam.TooManyPoses):
+        conversation.send_frame(support.plain_jpeg(), [good] * 33, [amalgam.Corners(40, ((0, 0),) * 4)] * 32, 0)
     for jpeg in (b"", b"no JPEG", support.plain_jpeg(support.WIDTH + 1), support.plain_jpeg()[:20]):
         with pytest.raises(amalgam.BadImage):
             conversation.send_frame(jpeg, (), (), 0)

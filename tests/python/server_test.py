@@ -15,6 +15,7 @@ import amalgam
 import support
 from amalgam.amalgam_pb2 import Envelope
 from amalgam.framing import encode
+from amalgam.square_pose import angle_between
 
 MARKER_CAMERA = amalgam.Camera.from_fov(320, 240)
 POSE = support.tilted(35, distance=0.25)
@@ -52,6 +53,27 @@ def test_composites_are_the_native_clients(server, marker_jpeg, tmp_path):
     assert np.abs(composite.image.astype(int) - cv2.imdecode(np.frombuffer(marker_jpeg, np.uint8), 1)).max() > 50
     assert "trace" in composite.stages and any(p.ran for p in composite.passes) and composite.rays["primary"] > 0
     assert 0 < composite.server_ms <= composite.latency_ms
+
+
+def test_the_server_solves_corners(server, marker_jpeg):
+    with connect(server, MARKER_CAMERA, find="corners") as session:
+        composite = session.send(marker_jpeg)
+        (pose,) = composite.poses
+        assert pose.marker == 40 and angle_between(pose, POSE) < np.radians(1)
+        assert np.allclose(pose.translation, POSE.translation, atol=1e-3)
+    with connect(server, MARKER_CAMERA) as session:
+        own = session.send(marker_jpeg)
+        assert angle_between(pose, own.poses[0]) < 1e-4  # corners travel as single-precision numbers
+        assert np.allclose(pose.translation, own.poses[0].translation, atol=1e-6)
+
+
+def test_the_server_smooths_the_poses_that_it_solves(server, marker_jpeg):
+    moved = support.tilted(35, distance=0.3)
+    picture = support.marker_picture(moved, MARKER_CAMERA)
+    with connect(server, MARKER_CAMERA, find="corners", smoothing=amalgam.OneEuro(0.5)) as session:
+        session.send(marker_jpeg, capture_time=1.0)
+        (pose,) = session.send(picture, capture_time=1.05).poses
+    assert 0.25 < pose.translation[2] < 0.28  # a first step of the low-pass goes a small part of the way
 
 
 def test_a_frame_without_markers_comes_back_as_it_was(server):

@@ -40,8 +40,8 @@ def write_csv(path, names, composites):
     with open(path, "w", newline="") as file:
         table = csv.writer(file)
         table.writerow(["frame", "latency_ms", "server_ms", *[f"{name}_ms" for name in names]])
-        for c in composites:
-            table.writerow([c.index, round(c.latency_ms, 3), round(c.server_ms, 3),
+        for number, c in enumerate(composites):
+            table.writerow([number, round(c.latency_ms, 3), round(c.server_ms, 3),
                             *[round(c.stages.get(name, 0.0), 3) for name in names]])
 
 
@@ -50,7 +50,7 @@ def plot(path, names, composites):
     matplotlib.use("Agg")
     from matplotlib import pyplot
 
-    frames = [c.index for c in composites]
+    frames = range(len(composites))
     # The longest stages have a color of their own.
     times = {name: np.array([c.stages.get(name, 0.0) for c in composites]) for name in names}
     longest = sorted(names, key=lambda name: -times[name].sum())[:7]
@@ -61,7 +61,7 @@ def plot(path, names, composites):
     axes.plot(frames, [c.server_ms for c in composites], color="black", linewidth=1, linestyle="--",
               label="server, waiting included")
     axes.plot(frames, [c.latency_ms for c in composites], color="black", linewidth=1.5, label="capture to composite")
-    axes.set(xlabel="frame", ylabel="milliseconds", ylim=(0, None), xlim=(frames[0], max(frames[-1], frames[0] + 1)))
+    axes.set(xlabel="frame", ylabel="milliseconds", ylim=(0, None), xlim=(0, max(len(frames) - 1, 1)))
     axes.set_title("Where the time of a frame goes")
     axes.legend(loc="center left", bbox_to_anchor=(1, 0.5), frameon=False)
     figure.savefig(path, dpi=110, bbox_inches="tight")
@@ -75,10 +75,11 @@ def main():
     camera = amalgam.Camera.from_fov(picture.shape[1], picture.shape[0])
     try:
         with amalgam.connect(options.server, camera=camera) as session:
-            composites = list(session.stream(moved(picture, options.frames), newest_wins=False))
+            session.send(picture)  # a server's first frame makes what later ones reuse
+            composites = [session.send(frame) for frame in moved(picture, options.frames)]
     except amalgam.AmalgamError as error:
         sys.exit(f"latency_plot: {error}")
-    names = list(dict.fromkeys(name for c in composites for name in c.stages))
+    names = list(dict.fromkeys(name for c in composites for name in c.stages if name != "total"))
     write_csv(options.output.with_suffix(".csv"), names, composites)
     try:
         plot(options.output, names, composites)

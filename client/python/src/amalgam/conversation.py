@@ -109,8 +109,8 @@ class Conversation:
         """Queues a frame and returns its id. Raises LimitError or FrameRejected for one that is against the limits."""
         self.check_open()
         most = self.welcome.max_poses if self.welcome else limits.MAX_POSES
-        if len(poses) > most or len(corners) > most:
-            raise errors.TooManyPoses(f"{max(len(poses), len(corners))} markers; at most {most} are allowed")
+        if len(poses) + len(corners) > most:
+            raise errors.TooManyPoses(f"{len(poses) + len(corners)} poses and corners; at most {most} are allowed")
         for pose in poses:
             pose.check()
         for found in corners:

@@ -1,6 +1,6 @@
 """Moves a found marker's corners to the intersections of its edges, to a few hundredths of a pixel.
 
-The same as the native client (client/edge_refinement.h): OpenCV's own refinement ends about an eighth of a pixel
+The same as the native client (client/tracking/edge_refinement.h): OpenCV's own refinement ends about an eighth of a pixel
 inside, because blur rounds corners off. Here each edge is measured along its length and fitted by a line.
 """
 

@@ -1,7 +1,7 @@
 """The two possible poses of a flat square marker, and the choice between them over frames.
 
 With little perspective, a tilted square and its mirror image about the line of sight look the same. IPPE [Collins &
-Bartoli 2014] gives both. The choice is the native client's (client/pose_disambiguation.h).
+Bartoli 2014] gives both. The choice is the native client's (tracking/pose_disambiguation.h).
 """
 
 from __future__ import annotations
