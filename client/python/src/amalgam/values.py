@@ -72,8 +72,8 @@ class OneEuro:
     beta: float = 0.0  # Hz for each m/s and each rad/s
 
     def check(self) -> None:
-        if not (0 < self.min_cutoff < math.inf and 0 <= self.beta < math.inf):
-            raise LimitError("smoothing needs a min_cutoff above 0 and a beta of 0 or more")
+        if not (0 < self.min_cutoff <= limits.MAX_SMOOTHING and 0 <= self.beta <= limits.MAX_SMOOTHING):
+            raise LimitError("smoothing needs a min_cutoff above 0 and a beta of 0 or more, both at most 1e6")
 
 
 @dataclass(frozen=True)
