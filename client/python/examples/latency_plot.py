@@ -75,7 +75,7 @@ def main():
     camera = amalgam.Camera.from_fov(picture.shape[1], picture.shape[0])
     try:
         with amalgam.connect(options.server, camera=camera) as session:
-            session.send(picture)  # a server's first frame makes what later ones reuse
+            session.send(picture, timeout=60)  # a server's first frame makes what later ones reuse
             composites = [session.send(frame) for frame in moved(picture, options.frames)]
     except amalgam.AmalgamError as error:
         sys.exit(f"latency_plot: {error}")
