@@ -27,6 +27,7 @@ struct Options {
   cv::Size size;  // empty: the source's own
   std::string calibration;
   std::string environment, environment_fisheye;
+  bool own_environment = false;
 
   bool display = false;
   std::string record;

@@ -19,6 +19,7 @@
 #include "net/environment_slot.h"
 #include "net/frame_ledger.h"
 #include "net/metrics.h"
+#include "net/own_light.h"
 #include "net/pose_hold.h"
 #include "net/server_config.h"
 #include "net/session_report.h"
@@ -93,7 +94,7 @@ class Conversation {
   void on_hello(const protocol::Hello& hello);
   void on_camera_frame(const protocol::CameraFrame& frame);
   void on_environment(const protocol::Environment& environment);
-  void check_environment_right();
+  void check_environment_right(bool own);
   void apply(std::optional<frame::EnvironmentInput> environment);
   std::vector<common::MarkerPose> usable_poses(const protocol::CameraFrame& frame);
 
@@ -116,6 +117,7 @@ class Conversation {
   PoseHold pose_hold_;
   CaptureClock capture_clock_;
   EnvironmentSlot environments_;
+  OwnLight own_light_;
   common::RateLimit environment_rate_;
   FrameLedger ledger_;
 };

@@ -32,7 +32,8 @@ const Histogram::BucketBoundaries kLevels{0.0, 1.0,  2.0,  3.0,  4.0,  6.0,
 constexpr const char* kRefusals[] = {"connections", "unauthenticated", "address", "back_off",
                                      "load",        "memory"};
 
-constexpr const char* kFates[] = {"applied", "replaced", "unusable", "forbidden", "too_often"};
+constexpr const char* kFates[] = {"applied",   "replaced",  "unusable",
+                                  "forbidden", "too_often", "no_memory"};
 
 // Names for people as values of labels: lower case, and what is no letter or digit becomes a _.
 std::string label_of(std::string_view name) {
