@@ -5,6 +5,7 @@
 #include <boost/asio/error.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/read.hpp>
+#include <boost/asio/ssl/error.hpp>
 #include <utility>
 
 #include "common/log.h"
@@ -112,7 +113,7 @@ bool Connection::is_admitted(const asio::ip::tcp::endpoint& client) {
   conversation_.set_peer(text_of(client));
   if (const auto left = shared_.back_off.left(key, Clock::now()); left.count() > 0) {
     context_.metrics.refused("back_off");
-    send_last(busy_message(left, "too many wrong tokens"));
+    send_last(busy_message(left, "too many failed attempts"));
     return false;
   }
   if (const auto refusal = shared_.limits.move(*ticket_, key)) {
@@ -128,6 +129,9 @@ void Connection::secure() {
   stream_.handshake_as_server(tls_, [self = shared_from_this()](const ErrorCode& ec) {
     self->guarded([&] {
       if (self->state_ == State::Ended) return;
+      // What is no TLS, or no certificate that it trusts, costs us a key exchange. Who only looks
+      // whether somebody is there, as a balancer does, ends without an error of TLS.
+      if (ec.category() == asio::error::get_ssl_category()) self->refused();
       if (ec) return self->lost(ec, "TLS");
       self->secured_ = true;
       self->write();  // a farewell may be waiting already

@@ -48,7 +48,7 @@ class Line {
   virtual void send_last(const protocol::Envelope& message) = 0;
   // The hello was accepted: larger messages are taken and the client is pinged.
   virtual void welcomed() = 0;
-  // The client gave a wrong token.
+  // The client gave a wrong token, or failed to prove what it had to.
   virtual void refused() = 0;
   // The client has read everything up to the ping with this nonce.
   virtual void heard_pong(std::uint64_t nonce) = 0;
