@@ -40,8 +40,9 @@ total=$(awk "BEGIN { print int($minutes * 60) }")
 warm_up=$(( total / 10 > 10 ? total / 10 : 10 ))
 # Without faults: descriptors of those that have left are closed, and memory is given back (after 3.5 s).
 calm=8
+# The control client is there until the last sample: the last faults may take some seconds more.
 begin=$SECONDS
-load --clients 1 --rate 10 --size 160x120 --duration $(( warm_up + calm + total + calm + 5 )) \
+load --clients 1 --rate 10 --size 160x120 --duration $(( warm_up + calm + total + calm + 45 )) \
   --latencies "$out/control.csv" > "$out/control.json" &
 control=$!
 children+=("$control")
