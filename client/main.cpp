@@ -102,8 +102,9 @@ int run(const Options& options) {
       source->own_camera() ? *source->own_camera() : camera_for(options, source->size());
   ConnectionOptions connection_options = options.connection;
   if (!options.environment.empty()) {
-    connection_options.after_welcome =
-        protocol::encode(load_environment(options.environment, options.environment_fisheye));
+    protocol::Envelope message = load_environment(options.environment, options.environment_fisheye);
+    message.mutable_environment()->set_own(options.own_environment);
+    connection_options.after_welcome = protocol::encode(message);
   }
   Connection connection(connection_options,
                         hello_message(camera, token, options.composite_quality));

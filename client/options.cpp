@@ -208,13 +208,18 @@ std::optional<Options> parse_options(int argc, const char* const* argv, int& exi
       ->check(CLI::Range(5.0, 150.0))
       ->excludes(calibration);
   auto* environment =
-      app.add_option("--environment", options.environment,
-                     "equirectangular image of the surroundings, for the scene's light and "
-                     "reflections; all clients of the scene see them")
+      app.add_option(
+             "--environment", options.environment,
+             "equirectangular image of the surroundings, for the scene's light and "
+             "reflections; all clients of the scene see them, except those that have their own")
           ->type_name("IMAGE");
   app.add_option("--environment-fisheye", options.environment_fisheye,
                  "calibration of the equidistant fish-eye lens that took it (.yml)")
       ->type_name("FILE")
+      ->needs(environment);
+  app.add_flag("--own-environment", options.own_environment,
+               "the environment lights this client's composites only, which needs no right to "
+               "change the light for all")
       ->needs(environment);
   app.add_option("--size", size,
                  "image size, pixels (default: the source's own; 800x600 for --synthetic)")

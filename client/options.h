@@ -31,6 +31,7 @@ struct Options {
   std::string calibration;
   std::optional<double> field_of_view;  // degrees, of the width; instead of a calibration
   std::string environment, environment_fisheye;
+  bool own_environment = false;
 
   bool display = false;
   std::string record;

@@ -57,6 +57,8 @@ void add_net_options(CLI::App& app, net::ServerConfig& net) {
   add_count(app, "--max-per-address", net.connections.per_address, "clients from one address");
   add_seconds(app, "--stuck-after", net.stuck_after,
               "without progress of the renderer before /livez fails");
+  add_seconds(app, "--stuck-reload-after", net.stuck_reload_after,
+              "for a reload to make a new renderer before /livez fails");
   app.add_option("--environments-per-second", net.session.environments_per_second,
                  "environments that a client may send in the long run")
       ->capture_default_str()
@@ -84,7 +86,8 @@ void add_security_options(CLI::App& app, net::ServerConfig& net, std::string& to
       {"authorised", net::EnvironmentFrom::Authorised},
       {"any", net::EnvironmentFrom::Any}};
   app.add_option("--environment-from", net.environment_from,
-                 "whose environments change the light for all: none, authorised (by a token with "
+                 "whose environments change the light for all (everybody may change the light of "
+                 "the own session): none, authorised (by a token with "
                  "that right, or everybody's where there are no tokens) or any")
       ->transform(CLI::CheckedTransformer(senders).description(""))
       ->default_str("authorised");

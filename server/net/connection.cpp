@@ -5,6 +5,7 @@
 #include <boost/asio/error.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/read.hpp>
+#include <boost/asio/ssl/error.hpp>
 #include <utility>
 
 #include "common/log.h"
@@ -113,7 +114,7 @@ bool Connection::is_admitted(const asio::ip::tcp::endpoint& client) {
   conversation_.set_peer(text_of(client));
   if (const auto left = shared_.back_off.left(key, Clock::now()); left.count() > 0) {
     context_.metrics.refused("back_off");
-    send_last(busy_message(left, "too many wrong tokens"));
+    send_last(busy_message(left, "too many failed attempts"));
     return false;
   }
   if (const auto refusal = shared_.limits.move(*ticket_, key)) {
@@ -136,6 +137,8 @@ void Connection::open() {
 
 void Connection::on_opened(const ErrorCode& ec, Transport::Opened opened) {
   if (state_ == State::Ended) return;
+  // A failed handshake costs us a key exchange. A balancer that only looks ends without this error.
+  if (ec.category() == asio::error::get_ssl_category()) refused();
   if (ec) return lost(ec, "handshake");
   if (opened == Transport::Opened::Nothing) {
     slot_.drop_control();  // nobody is there who would understand it

@@ -33,7 +33,7 @@ void Listener::judge(tcp::socket socket) {
   const std::string key = address_key(peer.address());
   if (!by_proxy) {
     const auto left = back_off_.left(key, std::chrono::steady_clock::now());
-    if (left.count() > 0) return refuse(socket, "back_off", left, "too many wrong tokens");
+    if (left.count() > 0) return refuse(socket, "back_off", left, "too many failed attempts");
   }
   auto admitted = by_proxy ? limits_.admit_proxy(key) : limits_.admit(key);
   if (const auto* refusal = std::get_if<ConnectionLimits::Refusal>(&admitted)) {

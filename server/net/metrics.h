@@ -20,7 +20,7 @@ enum class Skip {
 };
 
 // What became of an environment that a client sent.
-enum class EnvironmentFate { Applied, Replaced, Unusable, Forbidden, TooOften };
+enum class EnvironmentFate { Applied, Replaced, Unusable, Forbidden, TooOften, NoMemory };
 
 // What is not counted but looked at, when somebody asks for the metrics.
 struct Gauges {

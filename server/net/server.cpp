@@ -281,9 +281,17 @@ class Server::Impl {
   }
 
   std::string not_alive() const {
-    const auto stalled = load().without_progress;
-    if (stalled < config_.stuck_after) return "";
-    return "the renderer has made no progress for " + std::to_string(stalled.count()) + " ms";
+    const frame::ServiceLoad now = load();
+    const auto ms = [](std::chrono::milliseconds time) {
+      return std::to_string(time.count()) + " ms";
+    };
+    if (now.without_progress >= config_.stuck_after) {
+      return "the renderer has made no progress for " + ms(now.without_progress);
+    }
+    if (now.reloading >= config_.stuck_reload_after) {
+      return "a new renderer has been under way for " + ms(now.reloading);
+    }
+    return "";
   }
 
   Gauges gauges() const {

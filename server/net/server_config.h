@@ -75,8 +75,11 @@ struct ServerConfig {
   // server. New ones are still served.
   std::chrono::milliseconds drain_delay{0};
   std::chrono::milliseconds drain_timeout = protocol::kDrainTimeout;
-  // /livez fails when the renderer has made no progress with a frame for this long.
+  // /livez fails when the renderer has made no progress for this long with a frame or with an
+  // environment for all ...
   std::chrono::milliseconds stuck_after = protocol::kStuckAfter;
+  // ... or when a reload has stopped it for this long.
+  std::chrono::milliseconds stuck_reload_after = protocol::kStuckReloadAfter;
 };
 
 }  // namespace amalgam::net

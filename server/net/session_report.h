@@ -15,6 +15,7 @@ struct SessionReport {
   int width = 0, height = 0;  // pixels
   std::uint64_t received = 0, sent = 0, skipped = 0;
   std::size_t in_flight = 0;
+  bool own_environment = false;
 };
 
 }  // namespace amalgam::net

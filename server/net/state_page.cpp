@@ -43,6 +43,7 @@ std::string session_text(const SessionReport& session) {
   object.add("frames_sent", session.sent);
   object.add("frames_skipped", session.skipped);
   object.add("frames_in_flight", session.in_flight);
+  object.add("own_environment", session.own_environment);
   return object.end();
 }
 

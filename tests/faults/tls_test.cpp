@@ -12,6 +12,7 @@
 #include "client/link/messages.h"
 #include "client/tracking/calibration.h"
 #include "faults/figure.h"
+#include "net/back_off.h"
 #include "protocol/client_tls.h"
 #include "support/net/test_server.h"
 #include "support/net/web_wire.h"
@@ -79,6 +80,28 @@ bool exchange(client::Connection& connection, std::uint64_t id, std::string* err
 
 protocol::Hello hello() {
   return client::hello_message(common::default_camera(64, 48), "", 0);
+}
+
+// A handshake costs the server a signature, so failed ones count as wrong tokens do. Who only looks
+// whether somebody is there, as a balancer does every second, fails at nothing.
+TEST_F(Tls, FailedHandshakesSlowTheirAddressDown) {
+  TestServer server(config_);
+  const auto is_served = [&] {
+    client::ConnectionOptions once = options(server, "a");
+    once.connect_timeout = milliseconds(300);
+    client::Connection connection(once, hello());
+    return exchange(connection, 1);
+  };
+  for (int i = 0; i < 20; ++i) server.connect();
+  EXPECT_TRUE(is_served()) << "after 20 connections that said nothing";
+  for (int i = 0; i < net::BackOff::kFree + 1; ++i) {
+    TestClient client = server.connect();
+    client.send_bytes("GET / HTTP/1.0\r\n\r\n");
+    EXPECT_FALSE(client.is_open()) << "an alert, perhaps, and the end";
+  }
+  EXPECT_FALSE(is_served());
+  const std::string metrics = server.admin("/metrics").body;
+  EXPECT_EQ(metrics.find("reason=\"back_off\"} 0"), std::string::npos) << "not refused for that";
 }
 
 TEST_F(Tls, FramesGoThroughItAndStrangersAreNotTrusted) {

@@ -2,10 +2,12 @@
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
+#include <netinet/tcp.h>
 #include <sys/socket.h>
 #include <sys/time.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdlib>
@@ -30,6 +32,8 @@ int connect_to(const common::HostPort& server, int receive_buffer) {
   if (receive_buffer > 0) {
     ::setsockopt(handle, SOL_SOCKET, SO_RCVBUF, &receive_buffer, sizeof(receive_buffer));
   }
+  const int now = 1;  // or small messages would wait for an acknowledgement, and figures be wrong
+  ::setsockopt(handle, IPPROTO_TCP, TCP_NODELAY, &now, sizeof(now));
   sockaddr_in address{};
   address.sin_family = AF_INET;
   address.sin_port = htons(server.port);
@@ -67,6 +71,8 @@ TestClient::TestClient(TestClient&& other) noexcept
       decoder_(std::move(other.decoder_)),
       received_(std::move(other.received_)),
       answer_pings_(other.answer_pings_),
+      most_at_once_(other.most_at_once_),
+      pause_(std::move(other.pause_)),
       pings_(other.pings_) {}
 
 TestClient::~TestClient() {
@@ -84,6 +90,14 @@ bool TestClient::send_raw(std::string_view bytes) {
     bytes.remove_prefix(static_cast<std::size_t>(sent));
   }
   return true;
+}
+
+bool TestClient::is_open() {
+  std::array<char, 4096> buffer;
+  ssize_t size = 0;
+  while ((size = ::recv(socket_, buffer.data(), buffer.size(), 0)) > 0) {
+  }
+  return size < 0 && (errno == EAGAIN || errno == EWOULDBLOCK);  // nothing came for ten seconds
 }
 
 void TestClient::finish_sending() {
@@ -115,7 +129,8 @@ bool TestClient::fill_from_web() {
 bool TestClient::fill() {
   if (web_) return fill_from_web();
   std::array<std::byte, 64 * 1024> buffer;
-  const ssize_t size = ::recv(socket_, buffer.data(), buffer.size(), 0);
+  pause_();
+  const ssize_t size = ::recv(socket_, buffer.data(), std::min(buffer.size(), most_at_once_), 0);
   if (size < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) {
     throw std::runtime_error("nothing came for ten seconds");
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -51,7 +52,14 @@ class TestClient {
   // With which the server closed a WebSocket; 0: it did not.
   int web_close_code() const;
 
+  // Reads and forgets to the end of the connection. False when that is reached.
+  bool is_open();
   void answer_pings(bool answer) { answer_pings_ = answer; }
+  // From here on takes at most so many bytes at a time, and calls pause before each.
+  void read_slowly(std::size_t bytes, std::function<void()> pause) {
+    most_at_once_ = bytes;
+    pause_ = std::move(pause);
+  }
   std::size_t pings() const { return pings_; }
 
  private:
@@ -63,6 +71,8 @@ class TestClient {
   protocol::Decoder decoder_{protocol::limits_of_client()};
   std::deque<protocol::Envelope> received_;
   bool answer_pings_ = true;
+  std::size_t most_at_once_ = 64 * 1024;
+  std::function<void()> pause_ = [] {};
   std::size_t pings_ = 0;
 };
 
