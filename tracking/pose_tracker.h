@@ -2,8 +2,8 @@
 // marker's two possible poses, between markers of the same id, and lets a board's markers give one
 // pose together.
 //
-// Poses are camera_from_marker (common/pose.h). An unseen marker has no pose, unless it belongs to a
-// board with seen markers. For one thread at a time.
+// Poses are camera_from_marker (common/pose.h). An unseen marker has no pose, unless it belongs to
+// a board with seen markers. For one thread at a time.
 #pragma once
 
 #include <cstdint>

@@ -16,9 +16,9 @@ namespace amalgam::tracking {
 namespace {
 
 using client::find_dictionary;
-using client::parse_grid_board;
-using client::parse_charuco_board;
 using client::load_board;
+using client::parse_charuco_board;
+using client::parse_grid_board;
 
 // OpenCV's origin and the direction of its axes have changed between versions; the distances
 // between corners have not.

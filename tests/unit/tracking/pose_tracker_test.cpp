@@ -22,7 +22,8 @@ DetectedMarker seen(int id, const common::MarkerPose& pose) {
 
 TEST(PoseTracker, GivesThePosesThatTheCornersShow) {
   PoseTracker tracker({}, kCamera);
-  const std::vector<DetectedMarker> detected{seen(7, facing(0.05, 0.4)), seen(3, facing(-0.1, 0.5))};
+  const std::vector<DetectedMarker> detected{seen(7, facing(0.05, 0.4)),
+                                             seen(3, facing(-0.1, 0.5))};
   const auto poses = tracker.track(detected);
   ASSERT_EQ(poses.size(), 2u);
   EXPECT_EQ(poses[0].marker, 3);
