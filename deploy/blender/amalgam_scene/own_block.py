@@ -1,0 +1,45 @@
+"""The custom property "amalgam" of an object or a scene, as a dictionary.
+
+By hand it can be typed as a property of type Python, which Blender keeps as a group, or of type String, which holds
+JSON. Amalgam reads both.
+"""
+
+import json
+
+NAME = "amalgam"
+
+
+def read(holder):
+    """What it holds, or {} if there is none or it cannot be read."""
+    value = holder.get(NAME)
+    if hasattr(value, "to_dict"):
+        return value.to_dict()
+    if isinstance(value, str):
+        try:
+            parsed = json.loads(value)
+        except ValueError:
+            return {}
+        return parsed if isinstance(parsed, dict) else {}
+    return {}
+
+
+def is_readable(holder):
+    value = holder.get(NAME)
+    return value is None or hasattr(value, "to_dict") or bool(read(holder))
+
+
+def write(holder, member, value):
+    """Sets one member, or takes it out: None."""
+    block = read(holder)
+    block.pop(member, None)
+    if value is not None:
+        block[member] = value
+    replace(holder, block)
+
+
+def replace(holder, block):
+    # A group keeps its members' types, so that it is made anew.
+    if NAME in holder:
+        del holder[NAME]
+    if block:
+        holder[NAME] = block
