@@ -47,6 +47,10 @@ def _place(thing, node):
 def build():
     """An empty file with the shapes in place: no roles, markers or materials but plain ones."""
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
+    shape_all()
+
+
+def shape_all():
     for node in json.loads((SCENES / "complex.gltf").read_text())["nodes"]:
         thing = _shape(node["name"])
         _place(thing, node)

@@ -8,6 +8,7 @@ import bpy
 from bpy_extras.io_utils import ExportHelper
 
 from . import own_block, problems
+from .problem_list import list_problems
 
 _OPTIONS = {
     "export_extras": True,  # our roles and markers
@@ -77,8 +78,7 @@ class EXPORT_SCENE_OT_amalgam(bpy.types.Operator, ExportHelper):
     def draw(self, context):
         self.layout.label(text="A name ending with .glb makes one file")
         self.layout.prop(self, "strict")
-        for problem in problems.found or ():
-            self.layout.label(text=problem, icon="ERROR")
+        list_problems(self.layout.column(), context)
 
     def invoke(self, context, event):
         problems.find(context)

@@ -1,10 +1,9 @@
 """The tab "Amalgam" of the 3D view's side bar."""
 
-import textwrap
-
 import bpy
 
-from . import materials, problems
+from . import materials
+from .problem_list import list_problems
 
 
 class _Panel:
@@ -14,7 +13,6 @@ class _Panel:
 
     @property
     def column(self):
-        self.layout.use_property_split = True
         self.layout.use_property_decorate = False
         return self.layout.column()
 
@@ -24,8 +22,12 @@ class AMALGAM_PT_scene(_Panel, bpy.types.Panel):
 
     def draw(self, context):
         column = self.column
-        for field in ("world_marker", "dictionary", "marker_length", "environment"):
-            column.prop(context.scene, f"amalgam_{field}")
+        # The bar is narrow: numbers have their names within, the others none or above.
+        column.prop(context.scene, "amalgam_world_marker")
+        column.prop(context.scene, "amalgam_marker_length")
+        column.prop(context.scene, "amalgam_dictionary", text="")
+        column.label(text="Environment")
+        column.prop(context.scene, "amalgam_environment", text="")
         column.operator("amalgam.guide")
 
 
@@ -65,15 +67,7 @@ class AMALGAM_PT_export(_Panel, bpy.types.Panel):
         column = self.column
         column.operator("amalgam.check")
         column.operator("export_scene.amalgam", text="Export for Amalgam...")
-        if problems.found == []:
-            column.label(text="Nothing seems wrong", icon="CHECKMARK")
-        # Labels do not wrap by themselves; a letter is about 7 pixels wide.
-        width = max(int(context.region.width / (7 * context.preferences.system.ui_scale)), 20)
-        for problem in problems.found or ():
-            lines = textwrap.wrap(problem, width)
-            column.label(text=lines[0], icon="ERROR")
-            for line in lines[1:]:
-                column.label(text=line, icon="BLANK1")
+        list_problems(column, context)
 
 
 _CLASSES = (AMALGAM_PT_scene, AMALGAM_PT_object, AMALGAM_PT_material, AMALGAM_PT_export)

@@ -86,7 +86,7 @@ _FIELDS = {
         "amalgam_dictionary": bpy.props.EnumProperty(
             name="Dictionary", description="OpenCV's dictionary that the markers are from", options=set(),
             items=[("OTHER", "As typed", "Another one, typed as a custom property")] +
-                  [(name, name[len("DICT_"):], "") for name in _DICTIONARIES],
+                  [(name, name, "") for name in _DICTIONARIES],
             get=_get_dictionary, set=_set_dictionary),
         "amalgam_environment": bpy.props.StringProperty(
             name="Environment", description="Equirectangular picture of the surroundings (.exr, .hdr, .jpg, .png); it "
