@@ -20,8 +20,9 @@ sys.path += [str(ROOT / "tests/blender"), str(ROOT / "deploy/blender")]
 import likeness  # noqa: E402
 
 OUT = pathlib.Path(sys.argv[sys.argv.index("--") + 1]).resolve()
-COLORS = {"table": (0.5, 0.55, 0.5, 1), "real mirror": (0.35, 0.6, 0.45, 1)}
-VIRTUAL = (0.85, 0.6, 0.35, 1)
+# As the solid view shows them.
+REAL, VIRTUAL = (0.5, 0.55, 0.5, 1), (0.85, 0.6, 0.35, 1)
+CUBE = (0.7, 0.2, 0.03, 1)
 
 
 def _view():
@@ -56,7 +57,7 @@ def _look():
     space.clip_start = 0.001
     space.shading.color_type = "OBJECT"
     for thing in bpy.data.objects:
-        thing.color = COLORS.get(thing.name, VIRTUAL)
+        thing.color = REAL if thing.name in likeness.REAL else VIRTUAL
     eye = space.region_3d
     eye.view_perspective = "PERSP"
     eye.view_location, eye.view_distance = Vector((0.03, 0.07, 0.03)), 0.62
@@ -70,6 +71,10 @@ def _build():
             bpy.data.objects.remove(thing)
         likeness.shape_all()
         likeness.say_by_panel()
+        # The photograph has no mirror.
+        bpy.data.objects.remove(bpy.data.objects["real mirror"])
+        cube = bpy.data.objects["marble cube"].active_material
+        cube.node_tree.nodes["Principled BSDF"].inputs["Base Color"].default_value = CUBE
         # Beside the file, as in a folder of one's own.
         shutil.copy(likeness.SCENES / "environment.exr", OUT)
         bpy.ops.wm.save_as_mainfile(filepath=str(OUT / "desk.blend"))
