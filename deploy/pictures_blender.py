@@ -40,7 +40,7 @@ def _photograph(name):
 
 
 def _choose_our_tab():
-    """Blender 3.4 has no call for it, so that the mouse does it: the fourth tab, whose place the window's size fixes."""
+    """Blender 3.4 has no call for it, so that the mouse does it. The window's size fixes the fourth tab's place."""
     area = _view()["area"]
     bar = next(region for region in area.regions if region.type == "UI")
     place = {"x": bar.x + bar.width - 10, "y": bar.y + bar.height - 165}

@@ -3,7 +3,7 @@
 # (deploy/fetch_assets.sh), ImageMagick, Blender and a virtual screen: packages blender, python3-numpy, xvfb and xauth.
 # BIN: where the programs are.
 set -euo pipefail
-[ $# -eq 0 ] || { echo "usage: deploy/pictures_blender.sh: makes deploy/pictures/blender-*.webp anew (takes no options)" >&2; exit 2; }
+[ $# -eq 0 ] || { echo "usage: deploy/pictures_blender.sh (takes no options)" >&2; exit 2; }
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 bin=${BIN:-build/bin}
 out=deploy/pictures

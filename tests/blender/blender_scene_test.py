@@ -104,7 +104,7 @@ class BlenderScenes(unittest.TestCase):
         self.assertEqual(report["world"], {"marker": 40, "dictionary": "DICT_6X6_250", "marker_length": 0.05})
         kinds = {node["node"]: (node["role"], report["materials"][node["material"]]["kind"])
                  for node in report["nodes"]}
-        # The guide, which shows where the marker lies, is not among them.
+        # Neither the guide, which shows where the marker lies, nor what is left out of renderings is among them.
         self.assertEqual(kinds, {
             "table": ("real", "diffuse"), "real mirror": ("real", "mirror"), "virtual mirror": ("virtual", "mirror"),
             "marble cube": ("virtual", "diffuse"), "mirror sphere": ("virtual", "mirror"),
@@ -137,6 +137,16 @@ class BlenderScenes(unittest.TestCase):
         self.assertEqual(self.roles("flag.gltf")["table"], "real")
         self.assertEqual(self.roles("flag-by-hand.gltf")["table"], "virtual")
         self.assertEqual(self.facts["role_after_export"], "INHERITED")
+
+    def test_markers_and_inherited_roles(self):
+        nodes = {node["node"]: (node["role"], node["marker"]) for node in self.inspect("panel/markers.gltf")["nodes"]}
+        self.assertEqual(nodes, {
+            "table": ("real", 40), "real mirror": ("real", 40), "virtual mirror": ("virtual", 40),
+            "marble cube": ("virtual", 23), "mirror sphere": ("real", 40), "glass sphere": ("real", 40)})
+        self.assertEqual(self.facts["problems"]["markers"], [])
+
+    def test_the_file_keeps_its_roles_without_the_addon(self):
+        self.assertEqual(self.facts["without_addon"], {"role": "real"})
 
     def test_lamps_have_radiometric_units(self):
         lights = {light["source"]: light["intensity"] for light in self.inspect("lamps.gltf")["lights"]}

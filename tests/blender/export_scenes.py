@@ -51,6 +51,9 @@ def _fresh():
 
 def _by_panel():
     _fresh()
+    bpy.ops.mesh.primitive_cube_add()
+    bpy.context.object.name = "left out of renderings"
+    bpy.context.object.hide_render = True
     FACTS["problems"]["likeness"] = _problems()
     (OUT / "panel").mkdir()
     _export("panel/scene.gltf")
@@ -117,6 +120,28 @@ def _cube_is_real():
     _export("panel/cube-real.gltf")
 
 
+def _markers():
+    """One object on another marker; a parent of which two children take the role."""
+    _fresh()
+    things = bpy.data.objects
+    things["marble cube"].amalgam_marker = 23
+    parent = things.new("parent", None)
+    bpy.context.scene.collection.objects.link(parent)
+    parent.amalgam_role = "real"
+    for name in ("mirror sphere", "glass sphere"):
+        things[name].amalgam_role = "INHERITED"
+        things[name].parent = parent
+    FACTS["problems"]["markers"] = _problems()
+    _export("panel/markers.gltf")
+
+
+def _switched_off():
+    """What was said stays in the file without the add-on."""
+    _fresh()
+    bpy.ops.preferences.addon_disable(module="amalgam_scene")
+    FACTS["without_addon"] = bpy.data.objects["table"]["amalgam"].to_dict()
+
+
 def _lamps():
     _fresh()
     bpy.context.scene.amalgam_environment = ""
@@ -166,7 +191,8 @@ def main():
     if importlib.util.find_spec("numpy") is None:
         sys.exit(77)
     _install()
-    for part in (_by_panel, _typed, _misspelt, _cycles_flag, _cube_is_real, _lamps, _broken_scenes):
+    for part in (_by_panel, _typed, _misspelt, _cycles_flag, _cube_is_real, _markers, _lamps, _broken_scenes,
+                 _switched_off):
         part()
     (OUT / "facts.json").write_text(json.dumps(FACTS, indent=1))
 
