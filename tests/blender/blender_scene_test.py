@@ -145,6 +145,11 @@ class BlenderScenes(unittest.TestCase):
             "marble cube": ("virtual", 23), "mirror sphere": ("real", 40), "glass sphere": ("real", 40)})
         self.assertEqual(self.facts["problems"]["markers"], [])
 
+    def test_a_field_set_to_minus_one_says_nothing(self):
+        report = self.inspect("cleared.gltf")
+        self.assertEqual(report["world"]["marker"], 0)
+        self.assertEqual({node["marker"] for node in report["nodes"]}, {0})
+
     def test_the_file_keeps_its_roles_without_the_addon(self):
         self.assertEqual(self.facts["without_addon"], {"role": "real"})
 
@@ -167,6 +172,7 @@ class BlenderScenes(unittest.TestCase):
     def test_problems_are_said_in_words(self):
         said = self.facts["problems"]
         self.assertEqual(said["likeness"], [])
+        self.assertEqual(said["split, but closed"], [])
         expected = {
             "no world marker": "No world marker", "no light": "No light", "no file": "nowhere.exr is not there",
             "open glass": "glass sphere: solid glass must be closed", "thin glass": "glass sphere: thin glass",

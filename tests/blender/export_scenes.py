@@ -161,8 +161,11 @@ def _broken(name):
 
 
 def _broken_scenes():
-    with _broken("no world marker") as (scene, _):
+    with _broken("no world marker") as (scene, things):
         scene.amalgam_world_marker = -1
+        things["table"].amalgam_marker = 5
+        things["table"].amalgam_marker = -1
+    _export("cleared.gltf")
     with _broken("no light") as (scene, _):
         scene.amalgam_environment = ""
     with _broken("no file") as (scene, _):
@@ -171,6 +174,8 @@ def _broken_scenes():
         mesh = things["glass sphere"].data
         mesh.clear_geometry()
         mesh.from_pydata([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], [], [(0, 2, 1), (0, 1, 3), (0, 3, 2)])
+    with _broken("split, but closed") as (_, things):
+        things["glass sphere"].modifiers.new("split", "EDGE_SPLIT").split_angle = 0
     with _broken("thin glass") as (_, things):
         nodes = things["glass sphere"].active_material.node_tree.nodes
         nodes.remove(next(node for node in nodes if node.type == "GROUP"))

@@ -10,7 +10,7 @@ namespace {
 constexpr int kMaxMarker = 1'000'000;
 
 std::optional<JsonCursor> object_member(const JsonCursor& holder, const char* name) {
-  const auto found = holder.find(name);
+  auto found = holder.find(name);
   if (!found || found->value().kind != JsonValue::Kind::Object) return std::nullopt;
   return found;
 }
