@@ -9,23 +9,26 @@ import json
 NAME = "amalgam"
 
 
+def _parsed(text):
+    """None for what is no text of a JSON object."""
+    try:
+        parsed = json.loads(text) if isinstance(text, str) else None
+    except ValueError:
+        return None
+    return parsed if isinstance(parsed, dict) else None
+
+
 def read(holder):
     """What it holds, or {} if there is none or it cannot be read."""
     value = holder.get(NAME)
     if hasattr(value, "to_dict"):
         return value.to_dict()
-    if isinstance(value, str):
-        try:
-            parsed = json.loads(value)
-        except ValueError:
-            return {}
-        return parsed if isinstance(parsed, dict) else {}
-    return {}
+    return _parsed(value) or {}
 
 
 def is_readable(holder):
     value = holder.get(NAME)
-    return value is None or hasattr(value, "to_dict") or bool(read(holder))
+    return value is None or hasattr(value, "to_dict") or _parsed(value) is not None
 
 
 def write(holder, member, value):
