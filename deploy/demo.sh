@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # From nothing to composites: installs what is missing, builds, starts the server for each scene, runs a client against it over TCP,
 # leaves the composites in out/demo and prints the times. FRAMES=N sets the length of the synthetic films (default 30).
+# Where openssl is installed, server and client speak TLS and the client shows a token.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 frames=${FRAMES:-30}
@@ -11,6 +12,14 @@ BUILD_TARGETS="amalgam-server amalgam-client" deploy/build.sh
 deploy/fetch_assets.sh
 rm -rf "$out"
 mkdir -p "$out"
+
+serving=() asking=()
+if command -v openssl > /dev/null; then
+  deploy/make_test_certificate.sh "$out/tls"
+  (umask 077; openssl rand -hex 16 > "$out/tls/token")
+  serving=(--tls-certificate "$out/tls/server.crt" --tls-key "$out/tls/server.key" --token-file "$out/tls/token")
+  asking=(--tls --ca "$out/tls/server.crt" --token-file "$out/tls/token")
+fi
 
 server=0
 stop_server() {
@@ -23,7 +32,7 @@ trap stop_server EXIT
 
 # start_server SCENE: sets $address once the server listens.
 start_server() {
-  build/bin/amalgam-server --scene "$1" --listen 127.0.0.1:0 --admin 127.0.0.1:0 \
+  build/bin/amalgam-server --scene "$1" --listen 127.0.0.1:0 --admin 127.0.0.1:0 "${serving[@]}" \
     > "$out/server.txt" 2>> "$out/server.log" &
   server=$!
   for _ in $(seq 300); do
@@ -44,14 +53,14 @@ for scene in deploy/scenes/{complex,diffuse,mirror}.gltf deploy/scenes/generated
   start_server "$scene"
   if [ -s "$photo" ]; then
     echo "== $name on a photograph"
-    build/bin/amalgam-client --server "$address" --images "$photo" --calibration "$calibration" \
+    build/bin/amalgam-client --server "$address" "${asking[@]}" --images "$photo" --calibration "$calibration" \
       --frames 1 --lockstep --output "$out/$name-photograph"
   fi
   echo "== $name on a moving synthetic camera, $frames frames of 800x600"
   # The complex scene has a model of a real mirror, which then must be there to be seen.
   mirror=()
   [ "$name" != complex ] || mirror=(--synthetic-mirror)
-  build/bin/amalgam-client --server "$address" --synthetic "${mirror[@]}" --frames "$frames" --lockstep \
+  build/bin/amalgam-client --server "$address" "${asking[@]}" --synthetic "${mirror[@]}" --frames "$frames" --lockstep \
     --output "$out/$name-synthetic"
   stop_server
 done

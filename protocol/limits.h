@@ -57,6 +57,9 @@ inline constexpr std::chrono::milliseconds kRetryAfter{2000};
 // A tile takes milliseconds, a pass a second at most: a renderer that shows no progress for longer
 // is stuck. Leaves a second of the five that supervisors are promised.
 inline constexpr std::chrono::milliseconds kStuckAfter{4000};
+// Making a renderer shows no progress: shaders and trees of a large scene take some ten seconds on
+// a slow machine.
+inline constexpr std::chrono::milliseconds kStuckReloadAfter{60'000};
 // Half-sent requests of the admin port. Monitoring systems send theirs in one packet.
 inline constexpr std::chrono::milliseconds kAdminTimeout{2000};
 

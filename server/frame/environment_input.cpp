@@ -74,6 +74,19 @@ scene::Environment unroll_fisheye(const common::ImageRgb8& picture,
   return environment;
 }
 
+std::uint64_t environment_bytes(const EnvironmentInput& input) {
+  try {
+    const codec::JpegHeader header = codec::read_jpeg_header(input.image);
+    const bool unrolled = input.projection == EnvironmentInput::Projection::Fisheye;
+    const int width = unrolled ? kUnrolledWidth : header.width;
+    const int height = unrolled ? kUnrolledHeight : header.height;
+    return input.image.size() + sizeof(glm::vec3) * static_cast<std::uint64_t>(width) *
+                                    static_cast<std::uint64_t>(height);
+  } catch (const codec::JpegError&) {
+    return 0;  // refused with a reason when it is applied
+  }
+}
+
 scene::Environment make_environment(const EnvironmentInput& input) {
   const common::ImageRgb8 picture = codec::decode_jpeg(input.image);
   if (input.projection == EnvironmentInput::Projection::Equirectangular) {

@@ -126,15 +126,16 @@ struct FrameFailure {
 };
 using FrameResult = std::variant<FrameOutput, FrameFailure>;
 
+using ViewId = std::uint64_t;
+
 // A picture of the scene's surroundings, as a JPEG: low dynamic range.
 struct EnvironmentInput {
   Bytes image;
   enum class Projection { Equirectangular, Fisheye } projection = Projection::Equirectangular;
   common::FisheyeModel fisheye{};                     // of a fish-eye image
   glm::dquat world_from_fisheye{1.0, 0.0, 0.0, 0.0};  // unit; the world's axes are glTF's
+  std::optional<ViewId> only_for{};  // lights this view alone; none: all that have no own one
 };
-
-using ViewId = std::uint64_t;
 
 // How busy the renderer is.
 struct ServiceLoad {
@@ -145,8 +146,11 @@ struct ServiceLoad {
   double seconds_per_pixel = 0.0;
   double frames_per_second = 0.0;          // of an open view, on average
   std::chrono::milliseconds queue_age{0};  // of the frame that has waited longest
-  // Since the renderer last showed progress with what it is doing; 0: it has nothing to do.
+  // Since the renderer last showed progress with a frame, or began to apply an environment; 0: it
+  // has neither to do.
   std::chrono::milliseconds without_progress{0};
+  // Since a new renderer began to be made, which shows no progress and may take long; 0: none is.
+  std::chrono::milliseconds reloading{0};
 };
 
 // Renders for many views (a view is one client's camera onto the scene). All functions may be
@@ -170,10 +174,15 @@ class FrameService {
   // rendered is cancelled.
   virtual void close_view(ViewId view) = 0;
 
-  // Applies to all views of the scene from the next frame on. done is called on the render thread,
-  // with an error text or nothing; it must be quick and must not throw.
+  // Applies from the next frame on. A view's own one is looked at in that view's turn, with its
+  // next frame, so that it takes nobody else's time; it stays when the scene's is replaced or the
+  // scene reloaded, and goes with the view. done is called on the render thread, with an error text
+  // or nothing; it must be quick and must not throw. It is not called for a view that is closed.
   virtual void set_environment(EnvironmentInput input,
                                std::function<void(std::optional<std::string> error)> done) = 0;
+
+  // Bytes that a view keeps of such an own environment. Known by its header; 0 if it is unusable.
+  virtual std::uint64_t memory_of(const EnvironmentInput&) const { return 0; }
 
   // Markers that a client should look for: the scene's, world marker first.
   struct MarkerSet {

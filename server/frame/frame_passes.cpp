@@ -52,10 +52,9 @@ passes::ExposureInputs exposure_inputs(const SceneResources& resources, const Fr
 
 passes::TraceInputs trace_inputs(const SceneResources& resources, const FrameRequest& request,
                                  const FramePasses& frame) {
-  const auto& environment = resources.scene.environment;
   return {.view = request.render_view,
-          .environment = environment ? &*environment : nullptr,
-          .largest_environment = resources.largest_environment,
+          .environment = resources.surroundings.map(),
+          .largest_environment = resources.surroundings.largest,
           .settings = request.settings.trace,
           .keep_images = request.keep_buffers,
           .keep_provenance = request.keep_buffers || request.view.options.keep_provenance,
@@ -142,10 +141,8 @@ void add_raytrace_passes(graph::FrameGraph& graph, const SceneResources& resourc
                             ? graph.absent<passes::SpecularSamples>("samples to trace", *nothing)
                             : graph.import("samples to trace", passes::SpecularSamples{});
   leave_out_rasterised(graph, nothing.value_or("every sample is traced"), frame);
-  const auto& environment = resources.scene.environment;
   frame.meter_grid = passes::add_traced_meter_pass(
-      graph,
-      {.view = view, .environment = environment ? &*environment : nullptr, .scene = frame.placed});
+      graph, {.view = view, .environment = resources.surroundings.map(), .scene = frame.placed});
   frame.tone_map = passes::add_exposure_pass(graph, exposure_inputs(resources, request, frame));
   frame.traced = passes::add_trace_pass(graph, trace_inputs(resources, request, frame));
 }

@@ -28,7 +28,7 @@ struct SceneResources {
   const scene::Scene& scene;
   const scene::SceneFeatures& features;
   std::span<const scene::Bounds> mesh_bounds;
-  glm::vec3 largest_environment{0.0f};            // scene::largest_radiance of the environment
+  const Surroundings& surroundings;               // of the view
   trace::EmbreeScene* embree = nullptr;           // null: nothing of the scene is ever traced
   const passes::RasterContext* raster = nullptr;  // null: nothing is rasterised
   passes::ShadowCache* shadows = nullptr;         // goes with raster

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 
 #include "common/check_context.h"
 #include "core/flush_denormals.h"
@@ -100,10 +101,9 @@ class FrameRenderer::Impl {
   Impl(scene::Scene scene, const RendererSettings& settings)
       : settings_(settings),
         scene_(scene_variant(std::move(scene), settings.mode)),
+        surroundings_(make_surroundings(std::exchange(scene_.environment, std::nullopt))),
         features_(scene::scene_features(scene_)),
         mesh_bounds_(scene::mesh_bounds(scene_)),
-        largest_environment_(scene_.environment ? scene::largest_radiance(*scene_.environment)
-                                                : glm::vec3(0.0f)),
         arena_(rendering_threads(settings)),
         owner_(std::this_thread::get_id()) {
     check_settings(settings);
@@ -131,11 +131,11 @@ class FrameRenderer::Impl {
   }
 
   void set_environment(scene::Environment environment) {
-    scene_.environment = std::move(environment);
-    features_ = scene::scene_features(scene_);
-    largest_environment_ = scene::largest_radiance(*scene_.environment);
-    environment_lights_.reset();
-    ++environments_;
+    surroundings_ = make_surroundings(std::move(environment));
+  }
+
+  void set_own_environment(ViewState& view, scene::Environment environment) {
+    view.own_surroundings = make_surroundings(std::move(environment));
   }
 
   void make_current() {
@@ -150,7 +150,8 @@ class FrameRenderer::Impl {
     const core::Stopwatch stopwatch;
     graph::FrameGraph graph;
     graph.watch(input.progress);
-    passes::EnvironmentLights lights = environment_lights(graph);
+    Surroundings& surroundings = surroundings_of(view);
+    passes::EnvironmentLights lights = environment_lights(graph, surroundings);
     const RendererSettings settings = settings_for(view);
     const passes::RenderView render_view =
         make_render_view(view, input, settings, std::move(lights));
@@ -158,7 +159,7 @@ class FrameRenderer::Impl {
         .scene = scene_,
         .features = features_,
         .mesh_bounds = mesh_bounds_,
-        .largest_environment = largest_environment_,
+        .surroundings = surroundings,
         .embree = embree_ ? &*embree_ : nullptr,
         .raster = raster_ ? &raster_->passes : nullptr,
         .shadows = raster_ ? &raster_->shadows : nullptr,
@@ -191,6 +192,14 @@ class FrameRenderer::Impl {
     return output;
   }
 
+  std::shared_ptr<Surroundings> make_surroundings(std::optional<scene::Environment> environment) {
+    return std::make_shared<Surroundings>(std::move(environment), made_surroundings_++);
+  }
+
+  Surroundings& surroundings_of(const ViewState& view) const {
+    return view.own_surroundings ? *view.own_surroundings : *surroundings_;
+  }
+
   // The settings have the quality that the governor chose, without the target that it chose by.
   ReplayedFrame replayed_frame(const ViewState& view, const FrameInput& input,
                                bool keep_buffers) const {
@@ -200,7 +209,7 @@ class FrameRenderer::Impl {
                         .settings = chosen_settings(view),
                         .keep_provenance = view.options.keep_provenance,
                         .keep_buffers = keep_buffers,
-                        .environment_replaced = environments_ > 0};
+                        .environment_replaced = surroundings_of(view).number > 0};
     frame.settings.target_fps.reset();
     frame.settings.coarse_allowed = false;
     if (view.still.wants_frame()) frame.repeat = 2;
@@ -209,10 +218,10 @@ class FrameRenderer::Impl {
   }
 
   // The only pass that runs at once: the drawing depends on the number of lights.
-  passes::EnvironmentLights environment_lights(graph::FrameGraph& graph) {
-    const auto& environment = scene_.environment;
+  passes::EnvironmentLights environment_lights(graph::FrameGraph& graph,
+                                               Surroundings& surroundings) const {
     const auto* lights = graph.realise(passes::add_light_extraction_pass(
-        graph, {environment ? &*environment : nullptr, settings_.env_lights, environment_lights_}));
+        graph, {surroundings.map(), settings_.env_lights, surroundings.lights}));
     return lights != nullptr ? *lights : passes::EnvironmentLights{};
   }
 
@@ -259,7 +268,7 @@ class FrameRenderer::Impl {
       view.still.forget();
       return;
     }
-    view.still.begin({render_view.scene, render_view.lights, environments_,
+    view.still.begin({render_view.scene, render_view.lights, surroundings_of(view).number,
                       render_view.samples_per_side, settings.render_scale, settings.trace});
   }
 
@@ -283,12 +292,11 @@ class FrameRenderer::Impl {
   }
 
   RendererSettings settings_;
-  scene::Scene scene_;
+  scene::Scene scene_;  // without its environment
+  std::uint64_t made_surroundings_ = 0;
+  std::shared_ptr<Surroundings> surroundings_;  // of views without their own
   scene::SceneFeatures features_;
   std::vector<scene::Bounds> mesh_bounds_;  // by Scene::meshes
-  glm::vec3 largest_environment_;           // scene::largest_radiance; 0 without an environment
-  passes::EnvironmentLightCache environment_lights_;
-  std::uint64_t environments_ = 0;  // changes so far
   std::optional<trace::EmbreeScene> embree_;
   std::optional<Raster> raster_;
   tbb::task_arena arena_;
@@ -307,6 +315,10 @@ FrameOutput FrameRenderer::render(ViewState& view, const FrameInput& input, Fram
 
 void FrameRenderer::set_environment(scene::Environment environment) {
   impl_->set_environment(std::move(environment));
+}
+
+void FrameRenderer::set_own_environment(ViewState& view, scene::Environment environment) {
+  impl_->set_own_environment(view, std::move(environment));
 }
 
 void FrameRenderer::make_current() {

@@ -23,13 +23,16 @@ class FrameRenderer {
   // says so. buffers: filled if given.
   FrameOutput render(ViewState& view, const FrameInput& input, FrameBuffers* buffers = nullptr);
 
-  // Replaces the scene's environment for all views. Its lights are extracted once, with the next
-  // frame.
+  // Replaces the scene's environment for all views without their own. Its lights are extracted
+  // once, with the next frame.
   void set_environment(scene::Environment environment);
+  // The view keeps its own environment, whatever becomes of the scene's.
+  void set_own_environment(ViewState& view, scene::Environment environment);
 
   // After another renderer was made on this thread: this one's OpenGL context is used again.
   void make_current();
 
+  // Without its environment, which is kept apart.
   const scene::Scene& scene() const;
   // The last frame's graph in Graphviz's language.
   const std::string& last_graph() const;

@@ -5,10 +5,24 @@
 
 #include "codec/jpeg.h"
 #include "common/log.h"
+#include "frame/environment_input.h"
 #include "frame/scene_renderer.h"
 #include "frame/view_state.h"
 
 namespace amalgam::frame {
+namespace {
+
+template <typename Step>
+std::optional<std::string> error_of(const Step& step) {
+  try {
+    step();
+    return std::nullopt;
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
+}  // namespace
 
 struct RenderThread::View {
   View(ViewId view_id, const ViewOptions& view_options, Deliver deliver_to)
@@ -23,6 +37,9 @@ struct RenderThread::View {
   const ViewOptions options;
   std::unique_ptr<ViewRenderer::State> state;  // used by the render thread only; made by a frame
   common::Mailbox<Waiting> mailbox;
+  common::Mailbox<NewEnvironment> own_environment;
+  // Used by the render thread only: the one that is applied, for the next renderer's state.
+  std::optional<EnvironmentInput> own_applied;
   std::mutex delivering;
   bool closed = false;  // under delivering
   Deliver deliver;
@@ -88,13 +105,25 @@ void RenderThread::close_view(ViewId id) {
 }
 
 void RenderThread::set_environment(EnvironmentInput input, Done done) {
-  const auto replaced = environment_.put({std::move(input), std::move(done)});
+  std::optional<NewEnvironment> replaced;
   {
     const std::lock_guard lock(mutex_);
-    has_other_ = true;
+    NewEnvironment wanted{std::move(input), std::move(done)};
+    if (const auto view = wanted.input.only_for) {
+      const auto found = views_.find(*view);
+      if (found == views_.end()) return;
+      replaced = found->second->own_environment.put(std::move(wanted));
+    } else {
+      replaced = environment_.put(std::move(wanted));
+      has_other_ = true;
+    }
   }
   work_.notify_one();
   if (replaced) replaced->done("replaced by a newer environment before it was used");
+}
+
+std::uint64_t RenderThread::memory_of(const EnvironmentInput& input) const {
+  return environment_bytes(input);
 }
 
 void RenderThread::replace_renderer(MakeRenderer make, Done done) {
@@ -126,6 +155,7 @@ ServiceLoad RenderThread::load() const {
     progress_seen_ = now;
   }
   if (working_) load.without_progress = milliseconds_since(progress_seen_);
+  if (reload_begun_) load.reloading = milliseconds_since(*reload_begun_);
   return load;
 }
 
@@ -171,16 +201,25 @@ bool RenderThread::wait_for_work(const std::stop_token& stop) {
   return true;
 }
 
+void RenderThread::begin_work() {
+  working_ = true;
+  progress_seen_ = Clock::now();
+}
+
 void RenderThread::apply_renderer() {
   auto wanted = renderer_to_be_.take();
   if (!wanted) return;
-  try {
-    adopt(wanted->make());
-    wanted->done(std::nullopt);
-  } catch (const std::exception& error) {
-    renderer_->stay();
-    wanted->done(error.what());
+  {
+    const std::lock_guard lock(mutex_);
+    reload_begun_ = Clock::now();
   }
+  const auto error = error_of([&] { adopt(wanted->make()); });
+  if (error) renderer_->stay();
+  {
+    const std::lock_guard lock(mutex_);
+    reload_begun_.reset();
+  }
+  wanted->done(error);
 }
 
 void RenderThread::adopt(std::unique_ptr<ViewRenderer> renderer) {
@@ -201,12 +240,16 @@ void RenderThread::adopt(std::unique_ptr<ViewRenderer> renderer) {
 void RenderThread::apply_environment() {
   auto update = environment_.take();
   if (!update) return;
-  try {
-    renderer_->set_environment(update->input);
-    update->done(std::nullopt);
-  } catch (const std::exception& error) {
-    update->done(error.what());
+  {
+    const std::lock_guard lock(mutex_);
+    begin_work();
   }
+  const auto error = error_of([&] { renderer_->set_environment(update->input); });
+  {
+    const std::lock_guard lock(mutex_);
+    working_ = false;
+  }
+  update->done(error);
 }
 
 std::shared_ptr<RenderThread::View> RenderThread::take_next_view(const std::stop_token& stop) {
@@ -215,8 +258,7 @@ std::shared_ptr<RenderThread::View> RenderThread::take_next_view(const std::stop
   const auto next = turns_.next(Clock::now());
   if (!next) return nullptr;
   serving_ = *next;
-  working_ = true;
-  progress_seen_ = Clock::now();
+  begin_work();
   progress_.begin();
   return views_.at(*next);
 }
@@ -237,10 +279,23 @@ void RenderThread::serve(View& view) {
   if (!view.closed) view.deliver(waiting->ticket, std::move(result));
 }
 
+// With a frame, and so in the view's turn: whoever sends many pays with its own frames.
+void RenderThread::apply_own_environment(View& view) {
+  auto update = view.own_environment.take();
+  if (!update) return;
+  const auto error = error_of([&] { renderer_->set_own_environment(*view.state, update->input); });
+  if (!error) view.own_applied = std::move(update->input);
+  update->done(error);
+}
+
 FrameResult RenderThread::render(View& view, FrameInput& input) {
   try {
     input.progress = &progress_;
-    if (!view.state) view.state = renderer_->open(view.options);
+    if (!view.state) {
+      view.state = renderer_->open(view.options);
+      if (view.own_applied) renderer_->set_own_environment(*view.state, *view.own_applied);
+    }
+    apply_own_environment(view);
     return renderer_->render(*view.state, input);
   } catch (const codec::JpegError& error) {
     return FrameFailure{FrameFailure::Kind::BadImage, error.what()};

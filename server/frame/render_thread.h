@@ -44,6 +44,7 @@ class RenderThread : public FrameService {
   bool submit(ViewId view, std::uint64_t ticket, FrameInput input) override;
   void close_view(ViewId view) override;
   void set_environment(EnvironmentInput input, Done done) override;
+  std::uint64_t memory_of(const EnvironmentInput& input) const override;
   MarkerSet markers() const override;
   ServiceLoad load() const override;
 
@@ -69,12 +70,14 @@ class RenderThread : public FrameService {
   // False when asked to stop.
   bool wait_for_work(const std::stop_token& stop);
   bool has_work(Clock::time_point now) const;  // under mutex_
+  void begin_work();                           // under mutex_
   void apply_renderer();
   void adopt(std::unique_ptr<ViewRenderer> renderer);
   void apply_environment();
   // The view whose turn it is; null if nobody's is, or when asked to stop.
   std::shared_ptr<View> take_next_view(const std::stop_token& stop);
   void serve(View& view);
+  void apply_own_environment(View& view);
   FrameResult render(View& view, FrameInput& input);
 
   mutable std::mutex mutex_;
@@ -89,10 +92,11 @@ class RenderThread : public FrameService {
   common::Mailbox<NewRenderer> renderer_to_be_;
 
   core::Progress progress_;
-  // Under mutex_: whether a frame is being rendered, and what was last seen of its progress.
-  bool working_ = false;
+  // Whether a frame is rendered or an environment applied, and what was last seen of its progress.
+  bool working_ = false;  // under mutex_
   mutable std::uint64_t steps_seen_ = 0;
   mutable Clock::time_point progress_seen_{};
+  std::optional<Clock::time_point> reload_begun_;  // under mutex_; none: no renderer is being made
 
   std::unique_ptr<ViewRenderer> renderer_;  // the render thread's own
   std::jthread thread_;                     // last: everything else must outlive it

@@ -55,6 +55,10 @@ class SceneRenderer : public ViewRenderer {
     renderer_.set_environment(make_environment(input));
   }
 
+  void set_own_environment(State& state, const EnvironmentInput& input) override {
+    renderer_.set_own_environment(static_cast<OpenView&>(state).state, make_environment(input));
+  }
+
   FrameService::MarkerSet markers() const override {
     const scene::Scene& scene = renderer_.scene();
     return {.dictionary = scene.world.dictionary,

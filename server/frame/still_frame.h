@@ -29,7 +29,7 @@ struct FramePasses;
 struct StillKey {
   scene::AnchoredScene scene;
   std::vector<scene::Light> lights;
-  std::uint64_t environment = 0;  // number of changes so far
+  std::uint64_t environment = 0;  // Surroundings::number
   int samples_per_side = 1;
   float render_scale = 1.0f;
   trace::TraceSettings trace;

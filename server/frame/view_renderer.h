@@ -23,7 +23,10 @@ class ViewRenderer {
   virtual ~ViewRenderer() = default;
   virtual std::unique_ptr<State> open(const ViewOptions& options) = 0;
   virtual FrameOutput render(State& view, const FrameInput& input) = 0;
+  // For all views without their own.
   virtual void set_environment(const EnvironmentInput& input) = 0;
+  // For one view.
+  virtual void set_own_environment(State& view, const EnvironmentInput& input) = 0;
   virtual FrameService::MarkerSet markers() const = 0;
   // Another renderer was made on this thread, but this one goes on.
   virtual void stay() {}

@@ -42,6 +42,12 @@ double Admission::free_part(const frame::ServiceLoad& load) const {
   return std::clamp(std::min(time, memory), 0.0, 1.0);
 }
 
+bool Admission::take(std::uint64_t bytes) {
+  if (limits_.memory > 0 && memory_ + bytes > limits_.memory) return false;
+  memory_ += bytes;
+  return true;
+}
+
 void Admission::leave(const common::CameraModel& camera) {
   memory_ -= memory_of_session(camera);
   --sessions_;

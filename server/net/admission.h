@@ -25,6 +25,9 @@ class Admission {
 
   // load: with the sessions that are open now. Takes the memory, if the session is admitted.
   std::optional<Busy> admit(const common::CameraModel& camera, const frame::ServiceLoad& load);
+  // Memory that a session wants beyond its own; false, and none taken, if there is none.
+  bool take(std::uint64_t bytes);
+  void give_back(std::uint64_t bytes) { memory_ -= bytes; }
   // A session that was admitted is over.
   void leave(const common::CameraModel& camera);
   void set_limits(const AdmissionLimits& limits) { limits_ = limits; }

@@ -1,5 +1,5 @@
-// Slows down whoever sends wrong tokens: after a few, an address has to wait, twice as long after
-// each further one. Independent of sockets and clocks.
+// Slows down whoever sends wrong tokens or fails in the TLS handshake: after a few, an address has
+// to wait, twice as long after each further one. Independent of sockets and clocks.
 #pragma once
 
 #include <chrono>

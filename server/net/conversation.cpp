@@ -18,6 +18,7 @@ Conversation::Conversation(std::uint64_t id, std::string peer, Line& line, Serve
       line_(line),
       context_(context),
       pose_hold_(context.config.session.pose_hold),
+      own_light_(context.admission),
       environment_rate_(protocol::kEnvironmentBurst,
                         context.config.session.environments_per_second),
       ledger_(context.metrics) {}
@@ -143,8 +144,10 @@ CornerPoses::Solved Conversation::solve(const protocol::CameraFrame& frame,
 
 void Conversation::on_environment(const protocol::Environment& environment) {
   if (state_ == State::Draining) return;
-  check_environment_right();
-  EnvironmentSlot::Offered offered = environments_.offer(environment_from(environment));
+  check_environment_right(environment.own());
+  frame::EnvironmentInput input = environment_from(environment);
+  if (environment.own()) input.only_for = view_;
+  EnvironmentSlot::Offered offered = environments_.offer(std::move(input));
   apply(std::move(offered.now));
   if (offered.replaced) {
     context_.metrics.environment(EnvironmentFate::Replaced);
@@ -152,10 +155,12 @@ void Conversation::on_environment(const protocol::Environment& environment) {
   }
 }
 
-void Conversation::check_environment_right() {
+// Whoever may have a session may light it: an own environment changes nothing for anybody else.
+void Conversation::check_environment_right(bool own) {
   const EnvironmentFrom from = context_.config.environment_from;
-  if (from == EnvironmentFrom::None ||
-      (from == EnvironmentFrom::Authorised && !rights_.environment)) {
+  const bool may =
+      from == EnvironmentFrom::Any || (from == EnvironmentFrom::Authorised && rights_.environment);
+  if (!own && !may) {
     context_.metrics.environment(EnvironmentFate::Forbidden);
     throw ClientError(Error::BAD_ENVIRONMENT, "this client may not change the light");
   }
@@ -167,6 +172,11 @@ void Conversation::check_environment_right() {
 
 void Conversation::apply(std::optional<frame::EnvironmentInput> environment) {
   if (!environment) return;
+  if (environment->only_for && !own_light_.begin(context_.service.memory_of(*environment))) {
+    context_.metrics.environment(EnvironmentFate::NoMemory);
+    answer(ClientError(Error::BAD_ENVIRONMENT, "no memory for this environment"));
+    return apply(environments_.done());
+  }
   context_.service.set_environment(std::move(*environment),
                                    posting(&Conversation::on_environment_applied));
 }
@@ -207,6 +217,7 @@ void Conversation::fail(const frame::FrameFailure& failure, std::uint64_t frame_
 
 void Conversation::on_environment_applied(std::optional<std::string> error) {
   if (state_ == State::Over) return;
+  own_light_.end(!error);
   context_.metrics.environment(error ? EnvironmentFate::Unusable : EnvironmentFate::Applied);
   if (error) answer(ClientError(Error::BAD_ENVIRONMENT, *error));
   apply(environments_.done());
@@ -242,6 +253,7 @@ void Conversation::leave() {
   if (before == State::Running || before == State::Draining) context_.admission.leave(camera_);
   if (!view_) return;
   context_.service.close_view(*std::exchange(view_, std::nullopt));
+  own_light_.leave();
   context_.metrics.session_closed();
   ledger_.abandon();
 }
@@ -262,6 +274,7 @@ SessionReport Conversation::report() const {
   report.sent = ledger_.sent_count();
   report.skipped = ledger_.skipped_count();
   report.in_flight = ledger_.in_flight();
+  report.own_environment = own_light_.exists();
   return report;
 }
 

@@ -20,6 +20,7 @@
 #include "net/environment_slot.h"
 #include "net/frame_ledger.h"
 #include "net/metrics.h"
+#include "net/own_light.h"
 #include "net/pose_hold.h"
 #include "net/server_config.h"
 #include "net/session_report.h"
@@ -48,7 +49,7 @@ class Line {
   virtual void send_last(const protocol::Envelope& message) = 0;
   // The hello was accepted: larger messages are taken and the client is pinged.
   virtual void welcomed() = 0;
-  // The client gave a wrong token.
+  // The client gave a wrong token, or failed to prove what it had to.
   virtual void refused() = 0;
   // The client has read everything up to the ping with this nonce.
   virtual void heard_pong(std::uint64_t nonce) = 0;
@@ -94,7 +95,7 @@ class Conversation {
   void on_hello(const protocol::Hello& hello);
   void on_camera_frame(const protocol::CameraFrame& frame);
   void on_environment(const protocol::Environment& environment);
-  void check_environment_right();
+  void check_environment_right(bool own);
   void apply(std::optional<frame::EnvironmentInput> environment);
   std::vector<common::MarkerPose> usable_poses(const protocol::CameraFrame& frame,
                                                const FrameLedger::Entry& entry);
@@ -120,6 +121,7 @@ class Conversation {
   PoseHold pose_hold_;
   CaptureClock capture_clock_;
   EnvironmentSlot environments_;
+  OwnLight own_light_;
   common::RateLimit environment_rate_;
   FrameLedger ledger_;
 };

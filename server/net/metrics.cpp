@@ -32,7 +32,8 @@ const Histogram::BucketBoundaries kLevels{0.0, 1.0,  2.0,  3.0,  4.0,  6.0,
 constexpr const char* kRefusals[] = {"connections", "unauthenticated", "address", "back_off",
                                      "load",        "memory"};
 
-constexpr const char* kFates[] = {"applied", "replaced", "unusable", "forbidden", "too_often"};
+constexpr const char* kFates[] = {"applied",   "replaced",  "unusable",
+                                  "forbidden", "too_often", "no_memory"};
 
 // Names for people as values of labels: lower case, and what is no letter or digit becomes a _.
 std::string label_of(std::string_view name) {
@@ -46,6 +47,11 @@ std::string label_of(std::string_view name) {
     }
   }
   return label;
+}
+
+// Of something that is counted elsewhere.
+void rise_to(Counter& counter, double value) {
+  if (value > counter.Value()) counter.Increment(value - counter.Value());
 }
 
 const char* to_string(Skip reason) {
@@ -113,15 +119,17 @@ struct Metrics::Families {
                                   "Since the renderer last showed progress with a frame");
   Gauge& session_memory =
       gauge("amalgam_session_memory_bytes", "Memory that sessions were admitted for");
-  Gauge& cpu = gauge("process_cpu_seconds_total", "CPU time, user and system");
+  Counter& cpu = counter("process_cpu_seconds_total", "CPU time, user and system").Add({});
   Gauge& memory = gauge("process_resident_memory_bytes", "Resident memory");
   Gauge& descriptors = gauge("process_open_fds", "Open descriptors");
-  Gauge& dropped_lines =
-      gauge("amalgam_log_lines_dropped_total", "Log lines that nobody read in time");
+  Counter& dropped_lines =
+      counter("amalgam_log_lines_dropped_total", "Log lines that nobody read in time").Add({});
   Family<Counter>& environments =
       counter("amalgam_environments_total", "Environments sent by clients, by what became of them");
   Family<Counter>& reloads =
       counter("amalgam_reloads_total", "Reloads of scene and configuration, by result");
+  Family<Counter>& connected =
+      counter("amalgam_connections_accepted_total", "Connections of clients, by transport");
   Family<Counter>& refusals =
       counter("amalgam_refusals_total", "Connections and sessions refused, by reason");
   Family<Counter>& errors =
@@ -164,6 +172,9 @@ Metrics::Metrics() : families_(std::make_unique<Families>()) {
 }
 Metrics::~Metrics() = default;
 
+void Metrics::connected(const std::string& transport) {
+  families_->connected.Add({{"transport", transport}}).Increment();
+}
 void Metrics::session_opened() {
   families_->sessions.Increment();
 }
@@ -250,9 +261,9 @@ std::string Metrics::text(const Gauges& gauges) {
   families_->demand.Set(gauges.load.demand);
   families_->without_progress.Set(seconds(gauges.load.without_progress));
   families_->session_memory.Set(static_cast<double>(gauges.session_memory));
-  families_->dropped_lines.Set(static_cast<double>(gauges.dropped_log_lines));
+  rise_to(families_->dropped_lines, static_cast<double>(gauges.dropped_log_lines));
   const ProcessFigures process = read_process_figures();
-  families_->cpu.Set(process.cpu_seconds);
+  rise_to(families_->cpu, process.cpu_seconds);
   families_->memory.Set(static_cast<double>(process.resident_bytes));
   families_->descriptors.Set(static_cast<double>(process.open_descriptors));
   return prometheus::TextSerializer().Serialize(families_->registry.Collect());

@@ -20,7 +20,7 @@ enum class Skip {
 };
 
 // What became of an environment that a client sent.
-enum class EnvironmentFate { Applied, Replaced, Unusable, Forbidden, TooOften };
+enum class EnvironmentFate { Applied, Replaced, Unusable, Forbidden, TooOften, NoMemory };
 
 // What is not counted but looked at, when somebody asks for the metrics.
 struct Gauges {
@@ -35,6 +35,7 @@ class Metrics {
   Metrics();
   ~Metrics();
 
+  void connected(const std::string& transport);
   void session_opened();
   void session_closed();
   void refused(const std::string& reason);  // a connection or session that was not served

@@ -35,6 +35,7 @@ std::string session_text(const SessionReport& session) {
   ObjectText object;
   object.add("id", session.id);
   object.add("peer", session.peer);
+  object.add("transport", session.transport);
   object.add("state", session.state);
   object.add("width", session.width);
   object.add("height", session.height);
@@ -42,6 +43,7 @@ std::string session_text(const SessionReport& session) {
   object.add("frames_sent", session.sent);
   object.add("frames_skipped", session.skipped);
   object.add("frames_in_flight", session.in_flight);
+  object.add("own_environment", session.own_environment);
   return object.end();
 }
 

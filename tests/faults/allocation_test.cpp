@@ -1,54 +1,14 @@
 // Row 21: the k-th allocation of the network thread fails. What it was for ends; the server lives.
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <chrono>
 #include <cstdint>
-#include <cstdlib>
-#include <new>
 #include <string>
-#include <thread>
 
 #include "common/log.h"
+#include "faults/failing_allocation.h"
 #include "faults/figure.h"
 #include "support/net/test_server.h"
-
-namespace {
-
-std::atomic<std::int64_t> fail_at = -1;  // allocations of the armed thread until one fails
-std::atomic<std::uint64_t> failed = 0;
-thread_local bool armed = false;
-
-void* allocate(std::size_t size) {
-  if (armed && fail_at.load() >= 0 && fail_at.fetch_sub(1) == 0) {
-    ++failed;
-    throw std::bad_alloc();
-  }
-  void* const memory = std::malloc(size == 0 ? 1 : size);
-  if (memory == nullptr) throw std::bad_alloc();
-  return memory;
-}
-
-}  // namespace
-
-void* operator new(std::size_t size) {
-  return allocate(size);
-}
-void* operator new[](std::size_t size) {
-  return allocate(size);
-}
-void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete[](void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
-void operator delete[](void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
 
 namespace amalgam::test {
 namespace {
@@ -80,18 +40,19 @@ TEST(Allocation, TheKthFailureEndsNoServer) {
   config.connections.per_address = 100;
   config.session.idle_timeout = std::chrono::milliseconds(1000);
   TestServer server(config);
-  server.server().post([] { armed = true; });
+  server.server().post([] { arm_this_thread(true); });
   // Each failing allocation in a round of its own, up to the last that a round makes.
   int rounds = 0;
   const auto begin = std::chrono::steady_clock::now();
   for (std::int64_t k = 0; k < 1000; ++k, ++rounds) {
-    fail_at = k;
+    fail_allocation(k);
     use_the_server(server, rounds);
-    fail_at = -1;
+    fail_no_allocation();
     if (std::chrono::steady_clock::now() - begin > std::chrono::seconds(12)) break;
   }
-  print_figure("21", "allocations failed", static_cast<double>(failed), "", "all k <= 1000");
-  EXPECT_GT(failed, 100u);
+  print_figure("21", "allocations failed", static_cast<double>(failed_allocations()), "",
+               "all k <= 1000");
+  EXPECT_GT(failed_allocations(), 100u);
   // Gone are those that failed, and the server is as it was.
   EXPECT_TRUE(server.service.wait_views(0));
   EXPECT_EQ(server.admin("/livez").status, 200);

@@ -20,8 +20,10 @@ class ControlClient {
     double median_ms = 0.0, p99_ms = 0.0, worst_ms = 0.0;
     bool lost = false;  // the server closed, or said something unexpected
   };
-  // Ends it. A machine that is busy with other work is felt too, so limits should be wide.
+  // Ends it. A machine that is busy with other work is felt too: see expect_unharmed().
   Felt end();
+  // What one feels for a moment without any fault, to compare with.
+  static Felt feel_alone(const common::HostPort& server, const std::string& token = "");
 
  private:
   void run();
@@ -32,5 +34,11 @@ class ControlClient {
   bool lost_ = false;
   std::thread thread_;
 };
+
+// Prints the healthy client's worst percent, alone and beside the row's fault. It must not have
+// been lost. That it waited at most 10 % or allowed_ms longer is asserted if noise allows: if
+// nothing else needs the machine's processors.
+void expect_unharmed(const std::string& row, const ControlClient::Felt& alone,
+                     const ControlClient::Felt& beside, double allowed_ms = 2.0);
 
 }  // namespace amalgam::test

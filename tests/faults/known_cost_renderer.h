@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdlib>
 #include <memory>
 #include <string>
 #include <thread>
@@ -19,8 +20,7 @@ class KnownCostRenderer : public frame::ViewRenderer {
   }
   frame::FrameOutput render(State&, const frame::FrameInput& input) override {
     const auto& bytes = std::get<frame::Bytes>(input.image);
-    const int cost =
-        std::stoi(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+    const int cost = cost_of(bytes);
     // In tiles of a millisecond. "Stuck" is one long tile.
     for (int i = 0; i < (cost < 0 ? 1 : cost); ++i) {
       input.progress->step();
@@ -30,12 +30,23 @@ class KnownCostRenderer : public frame::ViewRenderer {
     output.jpeg = bytes;
     return output;
   }
-  void set_environment(const frame::EnvironmentInput&) override {}
+  void set_environment(const frame::EnvironmentInput& input) override { spend(input.image); }
+  void set_own_environment(State&, const frame::EnvironmentInput& input) override {
+    spend(input.image);
+  }
   frame::FrameService::MarkerSet markers() const override {
     return {"DICT_6X6_250", 0.05, world_marker_, {world_marker_}};
   }
 
  private:
+  static int cost_of(const frame::Bytes& bytes) {
+    return std::stoi(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+  }
+  // In one piece, as decoding is.
+  static void spend(const frame::Bytes& bytes) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(std::abs(cost_of(bytes))));
+  }
+
   int world_marker_;
 };
 

@@ -1,13 +1,15 @@
-// Row 9: a reader that stops is noticed, whatever buffers there are between us and it.
+// Rows 9 and 10: a reader that stops is noticed, whatever buffers there are between us and it; one
+// that is slow gets fewer frames, and new ones.
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <map>
 #include <string>
 #include <thread>
 
 #include "faults/control_client.h"
 #include "faults/figure.h"
-#include "support/net/test_server.h"
+#include "support/net/each_transport.h"
 
 namespace amalgam::test {
 namespace {
@@ -15,11 +17,13 @@ namespace {
 using protocol::Envelope;
 using Clock = std::chrono::steady_clock;
 
-TEST(Readers, WhoStopsFindsTwoFramesAndIsEvicted) {
+class Readers : public EachTransport {};
+
+TEST_P(Readers, WhoStopsFindsTwoFramesAndIsEvicted) {
   net::ServerConfig config = test_config();
   // A third of the real time, to keep the test short; the ratio is what is promised.
   config.session.write_timeout = std::chrono::milliseconds(1500);
-  TestServer server(config);
+  TestServer server(config, GetParam());
   ControlClient control(server.server().address());
   TestClient client = server.session();  // with the kernel's own buffers, which take megabytes
   const std::string jpeg(50'000, 'j');
@@ -47,10 +51,10 @@ TEST(Readers, WhoStopsFindsTwoFramesAndIsEvicted) {
 }
 
 // Being slow is no reason to be evicted: each pong opens the way for the next frame.
-TEST(Readers, WhoReadsSlowlyGetsTheNewest) {
+TEST_P(Readers, WhoReadsSlowlyGetsTheNewest) {
   net::ServerConfig config = test_config();
   config.session.write_timeout = std::chrono::milliseconds(1000);
-  TestServer server(config);
+  TestServer server(config, GetParam());
   TestClient client = server.session();
   std::uint64_t sent = 0, last = 0, received = 0;
   const auto begin = Clock::now();
@@ -64,6 +68,56 @@ TEST(Readers, WhoReadsSlowlyGetsTheNewest) {
   // Two on their way, one waiting, one being rendered, and five just sent.
   EXPECT_LE(sent - last, 15u);
 }
+
+// Composites of a tenth of a second's transfer each, asked for fifty times a second.
+TEST(ReadersOverTcp, AMegabitASecondGetsFewerFramesAndNewOnes) {
+  constexpr double kBytesPerSecond = 125'000.0, kTransfer = 0.1;  // seconds
+  constexpr auto kTick = std::chrono::milliseconds(20);
+  net::ServerConfig config = test_config();
+  config.session.write_timeout = std::chrono::milliseconds(600);
+  TestServer server(config);
+  const ControlClient::Felt alone = ControlClient::feel_alone(server.server().address());
+  ControlClient control(server.server().address());
+  TestClient client = server.session();
+  const std::string jpeg(static_cast<std::size_t>(kBytesPerSecond * kTransfer), 'j');
+  std::map<std::uint64_t, Clock::time_point> sent;
+  std::uint64_t last_sent = 0;
+  const auto begin = Clock::now();
+  auto next = begin;
+  // A link's rate: what a late tick has missed is made up for by the following ones.
+  client.read_slowly(static_cast<std::size_t>(kBytesPerSecond * 0.02), [&] {
+    next += kTick;
+    std::this_thread::sleep_until(next);
+    sent[++last_sent] = Clock::now();
+    client.send(frame_message(last_sent, jpeg));
+  });
+  double oldest = 0.0;  // seconds, of a composite when it has arrived
+  std::size_t received = 0;
+  std::uint64_t last = 0;
+  while (Clock::now() - begin < std::chrono::milliseconds(1800)) {
+    const auto composite = client.expect(Envelope::kComposite).composite();
+    EXPECT_GT(composite.frame_id(), last);
+    last = composite.frame_id();
+    oldest = std::max(oldest, std::chrono::duration<double>(Clock::now() - sent.at(last)).count());
+    ++received;
+  }
+  const double rate =
+      static_cast<double>(received) / std::chrono::duration<double>(Clock::now() - begin).count();
+  const auto felt = control.end();
+  print_figure("10", "composites a second of 50 frames", rate, "", "what the link carries, 10");
+  print_figure("10", "oldest composite when it arrived", oldest / kTransfer, "transfer times",
+               "<= 2, and a frame's period");
+  expect_unharmed("10", alone, felt);
+  EXPECT_GT(rate, 6.0);
+  EXPECT_LT(rate, 12.0);
+  // Two on their way, and the period of the frames, after which the newest is chosen. Without a
+  // bound the composites of 1.8 s would wait in line.
+  EXPECT_LT(oldest, 2.0 * kTransfer + 0.15);
+  EXPECT_TRUE(server.service.wait_views(1, std::chrono::milliseconds(1000)))
+      << "evicted, or control stays";
+}
+
+INSTANTIATE_TEST_SUITE_P(Over, Readers, kEachTransport, transport_name);
 
 }  // namespace
 }  // namespace amalgam::test

@@ -16,8 +16,7 @@
 #include "faults/figure.h"
 #include "faults/known_cost_renderer.h"
 #include "frame/default_view.h"
-#include "net/server.h"
-#include "support/net/test_client.h"
+#include "support/net/server_around.h"
 
 namespace amalgam::test {
 namespace {
@@ -38,33 +37,14 @@ double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-class CostServer {
- public:
-  explicit CostServer(net::ServerConfig config = {})
-      : server_([&] {
-          config.listen.port = config.admin.port = 0;
-          return config;
-        }()) {
-    server_.serve(service);
-  }
-  ~CostServer() {
-    server_.stop();
-    thread_.join();
-  }
-  common::HostPort address() const { return server_.address(); }
-  HttpAnswer admin(const std::string& path) { return http_get(server_.admin_address(), path); }
-  TestClient session() {
-    TestClient client(server_.address());
-    client.send(hello_message());
-    client.expect(Envelope::kWelcome);
-    return client;
-  }
+struct CostServer {
+  explicit CostServer(const net::ServerConfig& config = {}) : server(service, config) {}
+  HttpAnswer admin(const std::string& path) { return server.admin(path); }
+  common::HostPort address() const { return server.address(); }
+  TestClient session() { return server.session(); }
 
   frame::RenderThread service{known_cost()};
-
- private:
-  net::Server server_;
-  std::thread thread_{[this] { server_.run(); }};
+  ServerAround server;
 };
 
 TEST(RenderThreadFaults, TheFrameOfWhoHasLeftIsCancelledAtATile) {
@@ -106,6 +86,56 @@ TEST(RenderThreadFaults, AStuckRendererFailsLivez) {
   EXPECT_EQ(answer.status, 503);
   EXPECT_THAT(answer.body, testing::HasSubstr("no progress"));
   client.expect(Envelope::kComposite);
+  EXPECT_EQ(server.admin("/livez").status, 200);
+}
+
+// Decoding a picture is one step, so all of its time is without progress.
+TEST(RenderThreadFaults, AStuckEnvironmentFailsLivez) {
+  for (const bool own : {false, true}) {
+    net::ServerConfig config;
+    config.stuck_after = 200ms;
+    CostServer server(config);
+    TestClient client = server.session();
+    protocol::Envelope environment = environment_message("1200");
+    environment.mutable_environment()->set_own(own);
+    client.send(environment);
+    client.send(frame_message(1, "1"));
+    const auto begin = Clock::now();
+    HttpAnswer answer;
+    while (seconds_since(begin) < 1.1 && answer.status != 503) {
+      answer = server.admin("/livez");
+      std::this_thread::sleep_for(20ms);
+    }
+    EXPECT_EQ(answer.status, 503) << (own ? "own" : "shared");
+    client.expect(Envelope::kComposite);
+    EXPECT_EQ(server.admin("/livez").status, 200);
+  }
+}
+
+// Making a renderer may take longer than a tile, and is noticed all the same.
+TEST(RenderThreadFaults, AStuckReloadFailsLivez) {
+  net::ServerConfig config;
+  config.stuck_after = 100ms;
+  config.stuck_reload_after = 500ms;
+  CostServer server(config);
+  std::promise<void> ended;
+  server.service.replace_renderer(
+      [] {
+        std::this_thread::sleep_for(1200ms);
+        return std::make_unique<KnownCostRenderer>(41);
+      },
+      [&](const auto&) { ended.set_value(); });
+  std::this_thread::sleep_for(200ms);
+  EXPECT_EQ(server.admin("/livez").status, 200) << "a reload is given more time than a frame";
+  HttpAnswer answer;
+  const auto begin = Clock::now();
+  while (seconds_since(begin) < 0.9 && answer.status != 503) {
+    answer = server.admin("/livez");
+    std::this_thread::sleep_for(20ms);
+  }
+  EXPECT_EQ(answer.status, 503);
+  EXPECT_THAT(answer.body, testing::HasSubstr("new renderer"));
+  ended.get_future().wait();
   EXPECT_EQ(server.admin("/livez").status, 200);
 }
 

@@ -12,7 +12,10 @@
 #include "client/link/messages.h"
 #include "client/tracking/calibration.h"
 #include "faults/figure.h"
+#include "net/back_off.h"
+#include "protocol/client_tls.h"
 #include "support/net/test_server.h"
+#include "support/net/web_wire.h"
 
 namespace amalgam::test {
 namespace {
@@ -77,6 +80,28 @@ bool exchange(client::Connection& connection, std::uint64_t id, std::string* err
 
 protocol::Hello hello() {
   return client::hello_message(common::default_camera(64, 48), "", 0);
+}
+
+// A handshake costs the server a signature, so failed ones count as wrong tokens do. Who only looks
+// whether somebody is there, as a balancer does every second, fails at nothing.
+TEST_F(Tls, FailedHandshakesSlowTheirAddressDown) {
+  TestServer server(config_);
+  const auto is_served = [&] {
+    client::ConnectionOptions once = options(server, "a");
+    once.connect_timeout = milliseconds(300);
+    client::Connection connection(once, hello());
+    return exchange(connection, 1);
+  };
+  for (int i = 0; i < 20; ++i) server.connect();
+  EXPECT_TRUE(is_served()) << "after 20 connections that said nothing";
+  for (int i = 0; i < net::BackOff::kFree + 1; ++i) {
+    TestClient client = server.connect();
+    client.send_bytes("GET / HTTP/1.0\r\n\r\n");
+    EXPECT_FALSE(client.is_open()) << "an alert, perhaps, and the end";
+  }
+  EXPECT_FALSE(is_served());
+  const std::string metrics = server.admin("/metrics").body;
+  EXPECT_EQ(metrics.find("reason=\"back_off\"} 0"), std::string::npos) << "not refused for that";
 }
 
 TEST_F(Tls, FramesGoThroughItAndStrangersAreNotTrusted) {
@@ -150,6 +175,32 @@ TEST_F(Tls, ANewCertificateIsForNewConnections) {
   const auto event = old.wait(milliseconds(10'000));
   ASSERT_TRUE(event);
   EXPECT_TRUE(std::holds_alternative<client::Composited>(*event));
+}
+
+TEST_F(Tls, BrowsersGetPageAndSessionThroughIt) {
+  TestServer server(config_, Over::WebSocket);
+  TestClient socket(server.address());
+  WebWire wire(socket.handle(), server.address(), "https://" + to_string(server.address()),
+               protocol::client_tls((folder_ / "a" / "server.crt").string()));
+  wire.write(hello_message().SerializeAsString());
+  for (std::uint64_t id = 1; id <= 3; ++id) {
+    wire.write(frame_message(id, std::string(100'000, 'j')).SerializeAsString());
+  }
+  protocol::Envelope envelope;
+  std::uint64_t last = 0;
+  bool welcomed = false;
+  while (last != 3) {
+    const std::optional<std::string> message = wire.read();
+    ASSERT_TRUE(message);
+    ASSERT_TRUE(envelope.ParseFromString(*message));
+    welcomed = welcomed || envelope.has_welcome();
+    if (!envelope.has_composite()) continue;
+    EXPECT_EQ(envelope.composite().jpeg().size(), 100'000u);
+    last = envelope.composite().frame_id();
+  }
+  EXPECT_TRUE(welcomed);
+  // In clear there is neither a page nor a session.
+  EXPECT_EQ(http_get(server.address(), "/").status, 0);
 }
 
 TEST_F(Tls, FilesThatDoNotBelongTogetherAreRefusedAtStart) {

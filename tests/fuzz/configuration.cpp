@@ -15,9 +15,9 @@ void check(const ServerOptions& options) {
   const int quality = options.render.renderer.jpeg_quality;
   AMALGAM_CHECK(quality >= 1 && quality <= 100, std::to_string(quality));
   const net::SessionLimits& session = options.net.session;
-  for (const auto time :
-       {session.hello_timeout, session.message_timeout, session.ping_interval, session.idle_timeout,
-        session.write_timeout, options.net.drain_timeout, options.net.stuck_after}) {
+  for (const auto time : {session.hello_timeout, session.message_timeout, session.ping_interval,
+                          session.idle_timeout, session.write_timeout, options.net.drain_timeout,
+                          options.net.stuck_after, options.net.stuck_reload_after}) {
     AMALGAM_CHECK(time.count() >= 1 && time <= std::chrono::hours(1), std::to_string(time.count()));
   }
   const net::ConnectionCaps& caps = options.net.connections;

@@ -3,6 +3,7 @@
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/ip/address.hpp>
 #include <limits>
+#include <random>
 #include <span>
 
 #include "protocol/limits.h"
@@ -37,13 +38,15 @@ LoadClient::LoadClient(asio::io_context& io, const LoadOptions& options, const L
       timer_(io),
       buffer_(protocol::kReadBufferBytes) {}
 
-void LoadClient::start() {
+void LoadClient::start(Clock::time_point load_begin) {
+  load_begin_ = load_begin;
   const tcp::endpoint server(asio::ip::make_address(options_.server.host), options_.server.port);
   take_source_address();
   stream_.socket().async_connect(server, [self = shared_from_this()](const ErrorCode& ec) {
     if (ec) return self->end(true);
     ErrorCode ignored;
     self->stream_.socket().set_option(tcp::no_delay(true), ignored);
+    if (self->options_.fault == Fault::HalfOpen) return self->say_nothing();
     self->options_.tls ? self->secure() : self->say_hello();
   });
 }
@@ -58,8 +61,9 @@ void LoadClient::secure() {
 void LoadClient::take_source_address() {
   if (options_.sources == 0) return;
   // All of 127.0.0.0/8 is this machine.
-  constexpr unsigned kFirst = 0x7f000001;
-  const asio::ip::address_v4 address(kFirst + static_cast<unsigned>(number_ % options_.sources));
+  constexpr unsigned kLoopback = 0x7f000000;
+  const asio::ip::address_v4 address(
+      kLoopback + static_cast<unsigned>(options_.first_source + number_ % options_.sources));
   stream_.socket().open(tcp::v4());
   stream_.socket().bind({address, 0});
 }
@@ -68,7 +72,7 @@ void LoadClient::say_hello() {
   Envelope envelope;
   protocol::Hello& hello = *envelope.mutable_hello();
   hello.set_version(protocol::kProtocolVersion);
-  hello.set_token(options_.token);
+  hello.set_token(options_.fault == Fault::WrongToken ? "not " + options_.token : options_.token);
   protocol::Camera& camera = *hello.mutable_camera();
   camera.set_width(static_cast<std::uint32_t>(image_.width));
   camera.set_height(static_cast<std::uint32_t>(image_.height));
@@ -83,13 +87,14 @@ void LoadClient::say_hello() {
 // --- what comes back ---
 
 void LoadClient::read() {
-  stream_.read_some(asio::buffer(buffer_),
-                    [self = shared_from_this()](const ErrorCode& ec, std::size_t size) {
-                      if (self->state_ == State::Ended) return;
-                      if (ec) return self->end(!self->draining_);
-                      self->take(size);
-                      if (self->state_ != State::Ended) self->read();
-                    });
+  stream_.read_some(
+      asio::buffer(buffer_), [self = shared_from_this()](const ErrorCode& ec, std::size_t size) {
+        if (self->state_ == State::Ended) return;
+        if (ec) return self->end(!self->draining_);
+        self->take(size);
+        const bool reads = self->options_.fault != Fault::SlowReader || self->marker_ == 0;
+        if (self->state_ != State::Ended && reads) self->read();
+      });
 }
 
 void LoadClient::take(std::size_t size) {
@@ -108,9 +113,10 @@ void LoadClient::visit(const Envelope& envelope) {
     case Envelope::kWelcome:
       ++summary_.welcomed;
       marker_ = envelope.welcome().markers().world_marker();
+      if (options_.fault == Fault::HelloOnly) return end(false);
       state_ = State::Sending;
       begin_ = next_frame_ = Clock::now();
-      return send_frame();
+      return options_.fault == Fault::Garbage ? send_garbage() : send_frame();
     case Envelope::kComposite:
       return on_composite(envelope.composite());
     case Envelope::kError:
@@ -142,8 +148,14 @@ void LoadClient::on_composite(const protocol::Composite& composite) {
   if (composite.unchanged()) ++summary_.unchanged;
   summary_.skipped += composite.skipped() - skipped_;
   skipped_ = composite.skipped();
-  const std::uint64_t age = microseconds(Clock::now()) - composite.capture_time_us();
+  const Clock::time_point now = Clock::now();
+  const std::uint64_t age = microseconds(now) - composite.capture_time_us();
   summary_.latencies_ms.push_back(static_cast<double>(age) / 1000.0);
+  for (; !due_.empty() && due_.front().answered_by <= composite.frame_id(); due_.pop_front()) {
+    const Clock::time_point due = due_.front().due;
+    summary_.due.push_back({std::chrono::duration<double>(due - load_begin_).count(),
+                            std::chrono::duration<double, std::milli>(now - due).count()});
+  }
   answered(composite.frame_id());
 }
 
@@ -163,8 +175,8 @@ void LoadClient::answered(std::uint64_t frame_id) {
 void LoadClient::wait_for_next_frame() {
   next_frame_ += std::chrono::duration_cast<Clock::duration>(
       std::chrono::duration<double>(1.0 / options_.rate));
-  const bool enough = options_.frames > 0 ? last_frame_ >= options_.frames
-                                          : next_frame_ - begin_ >= options_.duration;
+  const bool enough =
+      options_.frames > 0 ? last_frame_ >= options_.frames : next_frame_ - begin_ >= length();
   if (enough) return options_.fault == Fault::Cut ? cut() : wait_for_answers();
   timer_.expires_at(next_frame_);
   timer_.async_wait([self = shared_from_this()](const ErrorCode& ec) {
@@ -173,13 +185,41 @@ void LoadClient::wait_for_next_frame() {
 }
 
 void LoadClient::send_frame() {
+  due_.push_back({last_frame_ + 1, next_frame_});
   if (queue_.size() >= kMaxQueue) {
     ++summary_.unsent;
   } else {
+    if (options_.fault == Fault::Environments) send_environment();
     ++summary_.sent;
     send(next_frame());
   }
   wait_for_next_frame();
+}
+
+std::chrono::milliseconds LoadClient::length() const {
+  return options_.arrivals > 0.0 && options_.stay.count() > 0 ? options_.stay : options_.duration;
+}
+
+void LoadClient::send_environment() {
+  Envelope envelope;
+  envelope.mutable_environment()->set_image(image_.jpeg);
+  envelope.mutable_environment()->set_own(last_frame_ % 2 == 0);
+  send(envelope);
+}
+
+// Different for each client, and the same whenever that client is run again.
+void LoadClient::send_garbage() {
+  std::mt19937 random(static_cast<unsigned>(number_));
+  std::string bytes(1 + random() % (16 * 1024), '\0');
+  for (char& byte : bytes) byte = static_cast<char>(random() % 256);
+  queue_.push_back(std::move(bytes));
+  if (queue_.size() == 1) write();
+  wait_for_answers();
+}
+
+void LoadClient::say_nothing() {
+  read();
+  wait_for_answers();
 }
 
 double LoadClient::marker_distance() const {
@@ -192,7 +232,7 @@ Envelope LoadClient::next_frame() {
   Envelope envelope;
   protocol::CameraFrame& frame = *envelope.mutable_camera_frame();
   frame.set_frame_id(++last_frame_);
-  frame.set_capture_time_us(microseconds(Clock::now()));
+  frame.set_capture_time_us(microseconds(next_frame_));
   frame.set_jpeg(options_.fault == Fault::BadImage ? "not a JPEG" : image_.jpeg);
   protocol::Pose& pose = *frame.add_poses();
   pose.set_marker(marker_);
@@ -205,7 +245,8 @@ Envelope LoadClient::next_frame() {
 
 void LoadClient::wait_for_answers() {
   state_ = State::Waiting;
-  timer_.expires_after(kPatience);
+  const bool answers = options_.fault != Fault::SlowReader;
+  timer_.expires_after(answers ? kPatience : std::chrono::seconds(0));
   timer_.async_wait([self = shared_from_this()](const ErrorCode& ec) {
     if (!ec && self->state_ == State::Waiting) self->end(false);
   });
@@ -238,6 +279,7 @@ void LoadClient::end(bool lost) {
   if (state_ == State::Ended) return;
   state_ = State::Ended;
   if (lost) ++summary_.lost;
+  summary_.unanswered += due_.size();
   stream_.close();
   timer_.cancel();
 }

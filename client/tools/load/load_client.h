@@ -22,10 +22,11 @@ class LoadClient : public std::enable_shared_from_this<LoadClient> {
   // All but the number outlive the client. number: 0 for the first client.
   LoadClient(boost::asio::io_context& io, const LoadOptions& options, const LoadImage& image,
              LoadSummary& summary, int number = 0);
-  void start();
+  using Clock = std::chrono::steady_clock;
+  // load_begin: from when the summary counts seconds.
+  void start(Clock::time_point load_begin = Clock::now());
 
  private:
-  using Clock = std::chrono::steady_clock;
   using ErrorCode = boost::system::error_code;
   enum class State { Connecting, Sending, Waiting, Ended };
 
@@ -40,6 +41,10 @@ class LoadClient : public std::enable_shared_from_this<LoadClient> {
 
   void wait_for_next_frame();
   void send_frame();
+  void send_garbage();
+  void send_environment();
+  void say_nothing();
+  std::chrono::milliseconds length() const;  // of this client's session
   protocol::Envelope next_frame();
   double marker_distance() const;  // metres
   void answered(std::uint64_t frame_id);
@@ -59,6 +64,12 @@ class LoadClient : public std::enable_shared_from_this<LoadClient> {
   State state_ = State::Connecting;
   bool draining_ = false;
   Clock::time_point begin_{}, next_frame_{};
+  struct DueFrame {
+    std::uint64_t answered_by;  // this frame or a later one
+    Clock::time_point due;
+  };
+  std::deque<DueFrame> due_;  // without an answer so far
+  Clock::time_point load_begin_{};
   std::uint64_t last_frame_ = 0;
   std::uint64_t skipped_ = 0;
   int marker_ = 0;

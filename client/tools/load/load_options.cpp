@@ -1,6 +1,7 @@
 #include "client/tools/load/load_options.h"
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <map>
 #include <stdexcept>
 
@@ -16,15 +17,27 @@ std::optional<LoadOptions> parse_load_options(int argc, const char* const* argv)
   const std::map<std::string, Fault> faults{{"none", Fault::None},
                                             {"bad-pose", Fault::BadPose},
                                             {"bad-image", Fault::BadImage},
-                                            {"cut", Fault::Cut}};
+                                            {"cut", Fault::Cut},
+                                            {"garbage", Fault::Garbage},
+                                            {"half-open", Fault::HalfOpen},
+                                            {"hello-only", Fault::HelloOnly},
+                                            {"wrong-token", Fault::WrongToken},
+                                            {"slow-reader", Fault::SlowReader},
+                                            {"environments", Fault::Environments}};
   LoadOptions options;
   std::string server = "127.0.0.1:7447";
   std::string fault = "none";
-  std::string token_file, certificate_authority;
+  std::string token_file, certificate_authority, size;
   bool tls = false;
-  double duration = 10.0;
-  CLI::App app("Puts scripted load on an amalgam-server and prints what came back as JSON.",
-               "amalgam-load");
+  double duration = 10.0, stay = 0.0;
+  CLI::App app(
+      "Puts scripted load on an amalgam-server and prints what came back as JSON.\n\n"
+      "Latencies begin when a frame was due, not when it could be sent, so that a server that "
+      "holds "
+      "its clients up does not look quick (coordinated omission). latency_ms is of composites; "
+      "due_latency_ms is of all frames that were due: one that was not sent, or that the server "
+      "skipped, waits for the next composite.",
+      "amalgam-load");
   app.set_version_flag("--version", common::version_line("amalgam-load"));
   app.add_option("--server", server, "the server")
       ->capture_default_str()
@@ -45,8 +58,43 @@ std::optional<LoadOptions> parse_load_options(int argc, const char* const* argv)
       ->type_name("SECONDS")
       ->check(CLI::Range(0.01, 1e6))
       ->excludes(frames);
-  app.add_option("--image", options.image, "what every frame shows; default mid grey, 640 x 480")
-      ->type_name("JPEG");
+  auto* const arrivals =
+      app.add_option(
+             "--arrivals", options.arrivals,
+             "clients a second that arrive at random times (Poisson) until the duration is "
+             "over, however many are there (an open loop); --clients counts no more. 0: all "
+             "clients are there from the start")
+          ->capture_default_str()
+          ->type_name("HZ")
+          ->check(CLI::Range(0.0, 10000.0))
+          ->excludes(frames);
+  app.add_option("--stay", stay, "how long a client that arrives sends frames; 0: to the end")
+      ->capture_default_str()
+      ->type_name("SECONDS")
+      ->check(CLI::Range(0.0, 1e6))
+      ->needs(arrivals);
+  auto* const image =
+      app.add_option("--image", options.image, "what every frame shows; default mid grey")
+          ->type_name("JPEG");
+  app.add_option("--size", size, "of mid grey, pixels; default 640x480")
+      ->type_name("WxH")
+      ->check(CLI::Validator(
+          [](std::string& text) {
+            int width = 0, height = 0;
+            char rest = 0;
+            const bool good = std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) == 2 &&
+                              width > 0 && height > 0 && width <= 2048 && height <= 2048;
+            return good ? std::string() : "'" + text + "' is not WxH with sides of 1 to 2048";
+          },
+          ""))
+      ->excludes(image);
+  app.add_option("--latencies", options.latencies,
+                 "file for the latency of every frame that was due: when, s, and latency, ms")
+      ->type_name("CSV");
+  app.add_option("--first-source", options.first_source, "last number of the first of --sources")
+      ->capture_default_str()
+      ->type_name("N")
+      ->check(CLI::Range(1, 500));
   app.add_option("--token-file", token_file, "file with the server's secret")->type_name("FILE");
   auto* const tls_flag =
       app.add_flag("--tls", tls, "encrypt, and ask the server for a certificate of its name");
@@ -63,12 +111,19 @@ std::optional<LoadOptions> parse_load_options(int argc, const char* const* argv)
   app.add_flag("--moving", options.moving,
                "the marker moves; otherwise frames are like the last one, as on a tripod, and cost "
                "a tenth");
-  app.add_option("--faults", fault, "what the clients do wrong")
+  app.add_option(
+         "--faults", fault,
+         "what the clients do wrong: poses of NaN, images of garbage, a connection that ends "
+         "in the middle of its last frame, random bytes after the hello, no hello, nothing "
+         "but a hello, a wrong token, no reading, an environment with each frame. With "
+         "--arrivals they come as a flood")
       ->capture_default_str()
       ->check(CLI::IsMember(faults));
   if (!common::parse_command_line(app, argc, argv)) return std::nullopt;
   options.server = common::parse_host_port(server);
   options.fault = faults.at(fault);
+  if (!size.empty()) std::sscanf(size.c_str(), "%dx%d", &options.width, &options.height);
+  options.stay = std::chrono::milliseconds(static_cast<std::int64_t>(stay * 1000.0));
   if (tls) options.tls = protocol::client_tls(certificate_authority);
   options.duration = std::chrono::milliseconds(static_cast<std::int64_t>(duration * 1000.0));
   if (!token_file.empty())

@@ -6,16 +6,22 @@
 #include <optional>
 #include <string>
 
-#include "net/server_config.h"
+#include "common/host_port.h"
 #include "protocol/stream.h"
 
 namespace amalgam::load {
 
 enum class Fault {
   None,
-  BadPose,   // every pose is NaN
-  BadImage,  // every image is garbage
-  Cut,       // the connection ends in the middle of the last frame
+  BadPose,    // every pose is NaN
+  BadImage,   // every image is garbage
+  Cut,        // the connection ends in the middle of the last frame
+  Garbage,    // random bytes after the hello
+  HalfOpen,   // connects and says nothing
+  HelloOnly,  // leaves when it is welcomed
+  WrongToken,
+  SlowReader,    // reads nothing after the welcome
+  Environments,  // one with each frame, by turns for all and for itself
 };
 
 struct LoadOptions {
@@ -24,9 +30,15 @@ struct LoadOptions {
   double rate = 30.0;        // frames a second, for each client
   std::uint64_t frames = 0;  // for each client; 0: until the duration is over
   std::chrono::milliseconds duration{10000};
-  std::string image;  // a JPEG file; empty: mid grey, 640 x 480
+  // Clients a second that arrive, whether others have left or not; 0: all are there at the start.
+  double arrivals = 0.0;
+  std::chrono::milliseconds stay{0};  // of a client that arrives; 0: to the end
+  std::string image;                  // a JPEG file; empty: mid grey
+  int width = 640, height = 480;      // of mid grey, pixels
   std::string token;
   protocol::Stream::Tls tls;  // null: not encrypted
+  std::string latencies;      // a CSV file for the latency of each frame that was due
+  int first_source = 1;       // the last number of the first of
   int sources = 0;  // addresses 127.0.x.y that clients come from in turn; 0: the kernel's choice
   bool moving = false;  // the marker, so that no frame is like the last one
   Fault fault = Fault::None;

@@ -18,6 +18,9 @@ double percentile(const std::vector<double>& sorted, double fraction) {
 
 std::string to_json(LoadSummary summary) {
   std::sort(summary.latencies_ms.begin(), summary.latencies_ms.end());
+  std::vector<double> due;
+  for (const LoadSummary::Due& frame : summary.due) due.push_back(frame.latency);
+  std::sort(due.begin(), due.end());
   const nlohmann::ordered_json json = {{"clients", summary.clients},
                                        {"welcomed", summary.welcomed},
                                        {"lost", summary.lost},
@@ -31,6 +34,12 @@ std::string to_json(LoadSummary summary) {
                                         {{"median", percentile(summary.latencies_ms, 0.5)},
                                          {"p95", percentile(summary.latencies_ms, 0.95)},
                                          {"p99", percentile(summary.latencies_ms, 0.99)}}},
+                                       {"due_latency_ms",
+                                        {{"median", percentile(due, 0.5)},
+                                         {"p95", percentile(due, 0.95)},
+                                         {"p99", percentile(due, 0.99)},
+                                         {"most", percentile(due, 1.0)}}},
+                                       {"unanswered", summary.unanswered},
                                        {"bytes_sent", summary.bytes_sent},
                                        {"bytes_received", summary.bytes_received},
                                        {"seconds", summary.seconds}};

@@ -18,7 +18,13 @@ struct LoadSummary {
   std::uint64_t unchanged = 0;                  // of these: came back byte for byte
   std::uint64_t skipped = 0;                    // as the server counted them
   std::map<std::string, std::uint64_t> errors;  // by code
-  std::vector<double> latencies_ms;             // capture to composite
+  std::vector<double> latencies_ms;             // from when it was due to its composite
+  struct Due {
+    double second;   // since the start of the load
+    double latency;  // ms, until a composite of this frame or of a later one
+  };
+  std::vector<Due> due;          // all frames that were due and have such a composite
+  std::uint64_t unanswered = 0;  // frames that were due and have none
   std::uint64_t bytes_sent = 0, bytes_received = 0;
   double seconds = 0.0;
 };

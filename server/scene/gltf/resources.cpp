@@ -87,6 +87,7 @@ std::vector<unsigned char> GltfResources::read_picture(const JsonCursor& at,
   } else {
     return encoded;
   }
+  if (encoded.empty()) at.fail("the file is empty");
   // One of a kind that we cannot read matters only to a material that uses it.
   const auto bytes = std::as_bytes(std::span(encoded));
   if (!codec::is_picture(bytes)) {

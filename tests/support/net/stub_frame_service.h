@@ -72,6 +72,10 @@ class StubFrameService final : public frame::FrameService {
     changed_.notify_all();
   }
 
+  std::uint64_t memory_of(const frame::EnvironmentInput& input) const override {
+    return input.image.size();
+  }
+
   MarkerSet markers() const override { return {"DICT_6X6_250", 0.05, 40, {40, 23}}; }
 
   frame::ServiceLoad load() const override {

@@ -2,10 +2,12 @@
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
+#include <netinet/tcp.h>
 #include <sys/socket.h>
 #include <sys/time.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdlib>
@@ -14,6 +16,7 @@
 #include <utility>
 
 #include "protocol/limits.h"
+#include "support/net/web_wire.h"
 
 namespace amalgam::test {
 namespace {
@@ -29,6 +32,8 @@ int connect_to(const common::HostPort& server, int receive_buffer) {
   if (receive_buffer > 0) {
     ::setsockopt(handle, SOL_SOCKET, SO_RCVBUF, &receive_buffer, sizeof(receive_buffer));
   }
+  const int now = 1;  // or small messages would wait for an acknowledgement, and figures be wrong
+  ::setsockopt(handle, IPPROTO_TCP, TCP_NODELAY, &now, sizeof(now));
   sockaddr_in address{};
   address.sin_family = AF_INET;
   address.sin_port = htons(server.port);
@@ -53,21 +58,32 @@ std::string take_all(int handle) {
 
 }  // namespace
 
-TestClient::TestClient(const common::HostPort& server, int receive_buffer)
-    : socket_(connect_to(server, receive_buffer)) {}
+TestClient::TestClient(const common::HostPort& server, int receive_buffer, Over over,
+                       const std::string& first)
+    : socket_(connect_to(server, receive_buffer)) {
+  send_raw(first);
+  if (over == Over::WebSocket) web_ = std::make_unique<WebWire>(socket_, server);
+}
 
 TestClient::TestClient(TestClient&& other) noexcept
     : socket_(std::exchange(other.socket_, -1)),
+      web_(std::move(other.web_)),
       decoder_(std::move(other.decoder_)),
       received_(std::move(other.received_)),
       answer_pings_(other.answer_pings_),
+      most_at_once_(other.most_at_once_),
+      pause_(std::move(other.pause_)),
       pings_(other.pings_) {}
 
 TestClient::~TestClient() {
   if (socket_ >= 0) ::close(socket_);
 }
 
-bool TestClient::send_bytes(std::string_view bytes) {
+bool TestClient::send_bytes(std::string_view stream) {
+  return send_raw(web_ ? std::string_view(web_->frames_of(stream)) : stream);
+}
+
+bool TestClient::send_raw(std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t sent = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
     if (sent <= 0) return false;
@@ -76,13 +92,45 @@ bool TestClient::send_bytes(std::string_view bytes) {
   return true;
 }
 
+bool TestClient::is_open() {
+  std::array<char, 4096> buffer;
+  ssize_t size = 0;
+  while ((size = ::recv(socket_, buffer.data(), buffer.size(), 0)) > 0) {
+  }
+  return size < 0 && (errno == EAGAIN || errno == EWOULDBLOCK);  // nothing came for ten seconds
+}
+
 void TestClient::finish_sending() {
   ::shutdown(socket_, SHUT_WR);
 }
 
+std::size_t TestClient::receive_raw(std::size_t most, char* bytes) {
+  std::string ignored(bytes ? 0 : most, '\0');
+  const ssize_t size = ::recv(socket_, bytes ? bytes : ignored.data(), most, 0);
+  if (size < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) {
+    throw std::runtime_error("nothing came for ten seconds");
+  }
+  return size > 0 ? static_cast<std::size_t>(size) : 0;
+}
+
+int TestClient::web_close_code() const {
+  return web_ ? web_->close_code() : 0;
+}
+
+bool TestClient::fill_from_web() {
+  const std::optional<std::string> message = web_->read();
+  if (!message) return false;
+  Envelope envelope;
+  if (!envelope.ParseFromString(*message)) throw std::runtime_error("the server sent garbage");
+  received_.push_back(std::move(envelope));
+  return true;
+}
+
 bool TestClient::fill() {
+  if (web_) return fill_from_web();
   std::array<std::byte, 64 * 1024> buffer;
-  const ssize_t size = ::recv(socket_, buffer.data(), buffer.size(), 0);
+  pause_();
+  const ssize_t size = ::recv(socket_, buffer.data(), std::min(buffer.size(), most_at_once_), 0);
   if (size < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) {
     throw std::runtime_error("nothing came for ten seconds");
   }
@@ -180,8 +228,11 @@ std::string read_to_end(const common::HostPort& server) {
 
 HttpAnswer http_get(const common::HostPort& server, const std::string& path,
                     const std::string& method) {
+  return http_exchange(server, method + " " + path + " HTTP/1.0\r\nHost: test\r\n\r\n");
+}
+
+HttpAnswer http_exchange(const common::HostPort& server, const std::string& request) {
   const int handle = connect_to(server, 0);
-  const std::string request = method + " " + path + " HTTP/1.0\r\nHost: test\r\n\r\n";
   ::send(handle, request.data(), request.size(), MSG_NOSIGNAL);
   const std::string text = take_all(handle);
   HttpAnswer answer;

@@ -9,12 +9,16 @@
 #include <random>
 
 #include "codec/jpeg_patch.h"
+#include "support/damaged_jpeg.h"
 #include "support/test_data.h"
 
 namespace amalgam::codec {
 namespace {
 
 using Bytes = std::vector<std::byte>;
+using test_support::frame_marker;
+using test_support::with_more_scans;
+using test_support::with_size;
 
 common::ImageRgb8 gradient(int width, int height) {
   common::ImageRgb8 image(width, height);
@@ -24,18 +28,6 @@ common::ImageRgb8 gradient(int width, int height) {
     }
   }
   return image;
-}
-
-// Where the frame header's marker code stands (the byte after 0xFF).
-std::size_t frame_marker(const Bytes& jpeg) {
-  for (std::size_t i = 2; i + 1 < jpeg.size();) {
-    const int code = std::to_integer<int>(jpeg[i + 1]);
-    if (code == 0xC0) return i + 1;
-    i += 2 + static_cast<std::size_t>(std::to_integer<int>(jpeg[i + 2]) * 256 +
-                                      std::to_integer<int>(jpeg[i + 3]));
-  }
-  ADD_FAILURE() << "no frame header";
-  return 0;
 }
 
 Bytes with_byte(Bytes jpeg, std::size_t at, int value) {
@@ -109,10 +101,8 @@ TEST(Jpeg, RefusesAtTheHeaderAndSaysWhy) {
 
 TEST(Jpeg, SidesEndAtTheirLimit) {
   const Bytes good = encode_jpeg(gradient(16, 16), 80);
-  const std::size_t sof = frame_marker(good);
   const auto of_size = [&](int width, int height) {
-    Bytes jpeg = with_byte(with_byte(good, sof + 4, height / 256), sof + 5, height % 256);
-    return refusal(with_byte(with_byte(jpeg, sof + 6, width / 256), sof + 7, width % 256));
+    return refusal(with_size(good, width, height));
   };
   EXPECT_EQ(of_size(kMaxJpegSide, kMaxJpegSide), "accepted");
   EXPECT_THAT(of_size(kMaxJpegSide + 1, 1), testing::HasSubstr("2049x1"));
@@ -120,31 +110,22 @@ TEST(Jpeg, SidesEndAtTheirLimit) {
 }
 
 TEST(Jpeg, RefusesMoreScansThanComponents) {
-  Bytes jpeg = encode_jpeg(gradient(16, 16), 80);
-  jpeg.resize(jpeg.size() - 2);  // the end marker
-  const Bytes scan{std::byte{0xFF}, std::byte{0xDA}, std::byte{0}, std::byte{2}};
-  for (int i = 0; i < 1000; ++i) jpeg.insert(jpeg.end(), scan.begin(), scan.end());
-  EXPECT_THAT(refusal(jpeg), testing::HasSubstr("more scans"));
+  EXPECT_THAT(refusal(with_more_scans(encode_jpeg(gradient(16, 16), 80), 1000)),
+              testing::HasSubstr("more scans"));
 }
 
 // As many as there are components, and not one more.
 TEST(Jpeg, AcceptsAsManyScansAsComponents) {
-  const auto with_scans = [](Bytes jpeg, int more) {
-    jpeg.resize(jpeg.size() - 2);  // the end marker
-    const Bytes scan{std::byte{0xFF}, std::byte{0xDA}, std::byte{0}, std::byte{2}};
-    for (int i = 0; i < more; ++i) jpeg.insert(jpeg.end(), scan.begin(), scan.end());
-    return jpeg;
-  };
   const Bytes color = encode_jpeg(gradient(16, 16), 80);
-  EXPECT_EQ(refusal(with_scans(color, 2)), "accepted");
-  EXPECT_THAT(refusal(with_scans(color, 3)), testing::HasSubstr("more scans"));
+  EXPECT_EQ(refusal(with_more_scans(color, 2)), "accepted");
+  EXPECT_THAT(refusal(with_more_scans(color, 3)), testing::HasSubstr("more scans"));
   // Grey: one component in the frame header, and what it says of the other two is gone.
   const std::size_t sof = frame_marker(color);
   Bytes grey = with_byte(with_byte(color, sof + 2, 8 + 3), sof + 8, 1);
   grey.erase(grey.begin() + static_cast<std::ptrdiff_t>(sof) + 12,
              grey.begin() + static_cast<std::ptrdiff_t>(sof) + 18);
-  EXPECT_EQ(refusal(with_scans(grey, 0)), "accepted");
-  EXPECT_THAT(refusal(with_scans(grey, 1)), testing::HasSubstr("more scans"));
+  EXPECT_EQ(refusal(with_more_scans(grey, 0)), "accepted");
+  EXPECT_THAT(refusal(with_more_scans(grey, 1)), testing::HasSubstr("more scans"));
 }
 
 TEST(Jpeg, RefusesEveryTruncation) {

@@ -8,6 +8,12 @@ namespace {
 
 using testing::HasSubstr;
 
+Gauges dropped(std::uint64_t lines) {
+  Gauges gauges;
+  gauges.dropped_log_lines = lines;
+  return gauges;
+}
+
 TEST(Metrics, TextNamesWhatWasCounted) {
   Metrics metrics;
   metrics.session_opened();
@@ -26,6 +32,11 @@ TEST(Metrics, TextNamesWhatWasCounted) {
   metrics.frame_rendered(output, 20.0);
 
   const std::string text = metrics.text({});
+  // By type: rates of a gauge would be taken for changes of state.
+  EXPECT_THAT(text, HasSubstr("# TYPE process_cpu_seconds_total counter"));
+  EXPECT_THAT(text, HasSubstr("# TYPE amalgam_log_lines_dropped_total counter"));
+  EXPECT_THAT(metrics.text(dropped(3)), HasSubstr("lines_dropped_total 3"));
+  EXPECT_THAT(metrics.text(dropped(5)), HasSubstr("lines_dropped_total 5"));
   for (const char* line :
        {"amalgam_sessions 1", "amalgam_refusals_total{reason=\"address\"} 1",
         "amalgam_errors_total{code=\"POSE_REJECTED\"} 1", "amalgam_frames_received_total 1",

@@ -88,12 +88,15 @@ TEST(ProtocolDocument, ExamplesSayWhatTheTextSays) {
   EXPECT_EQ(frame.poses(0).translation().z(), 0.5);
 }
 
-TEST(ProtocolDocument, EnvironmentsAreEquirectangularAndFisheye) {
+TEST(ProtocolDocument, EnvironmentsAreEquirectangularAndFisheyeForAllOrForOne) {
   const auto examples = hex_examples();
-  ASSERT_EQ(examples.count("Environment"), 2u);
+  ASSERT_EQ(examples.count("Environment"), 3u);
   const auto first = examples.lower_bound("Environment");
   EXPECT_FALSE(decode(first->second).environment().has_fisheye());
-  const Environment environment = decode(std::next(first)->second).environment();
+  EXPECT_FALSE(decode(first->second).environment().own());
+  const Environment own = decode(std::next(first)->second).environment();
+  EXPECT_TRUE(own.own() && !own.has_fisheye());
+  const Environment environment = decode(std::next(first, 2)->second).environment();
   EXPECT_EQ(environment.image(), "\xff\xd8\xff\xd9");
   ASSERT_TRUE(environment.has_fisheye());
   EXPECT_EQ(environment.fisheye().width(), 1000u);

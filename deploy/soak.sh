@@ -1,0 +1,165 @@
+#!/usr/bin/env bash
+# Soak: deploy/soak.sh [MINUTES] (default 20). A server, one healthy control client, and beside it random faults and
+# random healthy sessions, without a break. Checks that the server is at the end what it was after warming up: resident
+# memory within 1 %, as many descriptors and threads, and the control client's 99th percentile in the last quarter
+# within 5 % of the first. Writes soak.csv, control.csv and soak.png to out/soak (SOAK_OUT). SEED repeats the order of
+# faults. SOAK_SERVER_OPTIONS replaces the small scene. The percentile means something only on a machine that has
+# nothing else to do.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+minutes=${1:-20}
+out=${SOAK_OUT:-out/soak}
+bin=${SOAK_BIN:-build/bin}
+seed=${SEED:-1}
+read -ra scene <<< "${SOAK_SERVER_OPTIONS:---scene deploy/scenes/diffuse.gltf --renderer raytrace}"
+rm -rf "$out"
+mkdir -p "$out"
+RANDOM=$seed
+
+umask 077
+echo "soak-$seed-$$" > "$out/token"
+"$bin/amalgam-server" "${scene[@]}" --listen 127.0.0.1:0 --admin 127.0.0.1:0 --token-file "$out/token" \
+  --log-format json > "$out/server.txt" 2> "$out/server.log" &
+server=$!
+children=()
+end_children() {
+  for child in "${children[@]}" "$server"; do kill "$child" 2>/dev/null || true; done
+}
+trap end_children EXIT
+for _ in $(seq 300); do
+  address=$(sed -n 's/^listening on \([^ ]*\) admin .*/\1/p' "$out/server.txt")
+  admin=$(sed -n 's/^listening on .* admin \([^ ]*\).*/\1/p' "$out/server.txt")
+  [ -z "$address" ] || break
+  kill -0 "$server" || { echo "soak: the server did not start; see $out/server.log" >&2; exit 1; }
+  sleep 0.1
+done
+
+load() { "$bin/amalgam-load" --server "$address" --token-file "$out/token" "$@"; }
+
+total=$(awk "BEGIN { print int($minutes * 60) }")
+warm_up=$(( total / 10 > 10 ? total / 10 : 10 ))
+# Without faults: descriptors of those that have left are closed, and memory is given back (after 3.5 s).
+calm=8
+# The control client is there until the last sample: the last faults may take some seconds more.
+begin=$SECONDS
+load --clients 1 --rate 10 --size 160x120 --duration $(( warm_up + calm + total + calm + 45 )) \
+  --latencies "$out/control.csv" > "$out/control.json" &
+control=$!
+children+=("$control")
+
+sample() { # one line: seconds, resident KiB, descriptors, threads, connections, frames sent
+  local rss threads connections frames descriptors
+  rss=$(awk '/^VmRSS/ { print $2 }' "/proc/$server/status")
+  # Before the admin port is asked, whose connection would count.
+  descriptors=$(find "/proc/$server/fd" -mindepth 1 | wc -l)
+  threads=$(awk '/^Threads/ { print $2 }' "/proc/$server/status")
+  read -r connections frames < <(curl -s -m 2 "http://$admin/metrics" |
+    awk '/^amalgam_connections / { c = $2 } /^amalgam_frames_sent_total / { f = $2 } END { print c + 0, f + 0 }')
+  echo "$(( SECONDS - begin )),$rss,$descriptors,$threads,$connections,$frames"
+}
+echo "s,rss_kib,descriptors,threads,connections,frames_sent" > "$out/soak.csv"
+
+faults=(garbage cut half-open hello-only wrong-token slow-reader environments bad-pose bad-image none none)
+sizes=(64x48 160x120 320x240)
+count=0
+declare -A tried=()
+one_fault() { # something random for 1 to 4 s, often with another one still going on
+  local fault=${faults[RANDOM % ${#faults[@]}]} size=${sizes[RANDOM % ${#sizes[@]}]} seconds=$(( 1 + RANDOM % 4 ))
+  # Strangers come from other addresses than the control client, of which wrong tokens are slowed down.
+  local -a how=(--faults "$fault" --size "$size" --duration "$seconds" --sources 4 --first-source 2 --rate 10)
+  if (( RANDOM % 2 )); then
+    how+=(--arrivals $(( 2 + RANDOM % 20 )) --stay 0.5)
+  else
+    how+=(--clients $(( 1 + RANDOM % 4 )))
+  fi
+  tried[$fault]=$(( ${tried[$fault]:-0} + 1 ))
+  load "${how[@]}" > /dev/null 2>&1 &
+  local child=$!
+  if (( RANDOM % 4 == 0 )); then # killed in the middle of whatever it is doing
+    sleep 0.$(( RANDOM % 10 ))
+    kill -9 "$child" 2>/dev/null || true
+    tried[killed]=$(( ${tried[killed]:-0} + 1 ))
+  elif (( RANDOM % 2 )); then
+    ( sleep $(( seconds + 3 )); kill "$child" 2>/dev/null || true ) &
+    overlapping+=("$child" "$!")
+    return 0
+  else
+    ( sleep $(( seconds + 3 )); kill "$child" 2>/dev/null || true ) &
+    overlapping+=("$!")
+  fi
+  wait "$child" 2>/dev/null || true
+}
+overlapping=()
+faults_until() {
+  while (( SECONDS - begin < $1 )); do
+    one_fault
+    count=$(( count + 1 ))
+    sample >> "$out/soak.csv"
+    kill -0 "$server" || { echo "soak: the server has ended; see $out/server.log" >&2; exit 1; }
+    kill -0 "$control" || { echo "soak: the control client has ended; see $out/control.json" >&2; exit 1; }
+  done
+  for child in "${overlapping[@]}"; do wait "$child" 2>/dev/null || true; done
+  overlapping=()
+}
+rest() { # prints a sample of the server with the control client alone
+  sleep "$calm"
+  sample
+}
+
+faults_until "$warm_up"
+before=$(rest)
+echo "$before" >> "$out/soak.csv"
+first_second=$(( SECONDS - begin ))
+faults_until $(( first_second + total ))
+last_second=$(( SECONDS - begin ))
+after=$(rest)
+echo "$after" >> "$out/soak.csv"
+wait "$control" || true
+kill -TERM "$server"
+wait "$server" && ended=0 || ended=$?
+
+# p99 of a part of the time under faults; the control client began when they did.
+p99() {
+  awk -F, -v from="$1" -v to="$2" 'NR > 1 && $1 >= from && $1 < to { print $2 }' "$out/control.csv" | sort -g |
+    awk '{ v[NR] = $1 } END { i = int(NR * 0.99 + 0.999); if (NR) printf "%.3f", v[i < 1 ? 1 : i]; else print 0 }'
+}
+quarter=$(( (last_second - first_second) / 4 ))
+p99_first=$(p99 "$first_second" $(( first_second + quarter )))
+p99_last=$(p99 $(( last_second - quarter )) "$last_second")
+
+failed=0
+check() { # NAME BEFORE AFTER PERCENT
+  local change
+  change=$(awk "BEGIN { printf \"%+.2f\", $2 == 0 ? 0 : 100 * ($3 - $2) / $2 }")
+  if awk "BEGIN { exit !($change <= $4 && $change >= -$4) }"; then verdict=ok; else verdict=FAILED failed=1; fi
+  printf '%-34s %12s %12s %9s %%  (limit %s %%)  %s\n' "$1" "$2" "$3" "$change" "$4" "$verdict"
+}
+echo "$count faults and sessions in $(( last_second )) s, seed $seed, load of the machine $(cut -d' ' -f1-3 /proc/loadavg):"
+for kind in $(printf '%s\n' "${!tried[@]}" | sort); do echo "  $kind: ${tried[$kind]}"; done
+printf '%-34s %12s %12s %9s\n' "" "after warm-up" "at the end" change
+IFS=, read -r _ rss0 fds0 threads0 _ <<< "$before"
+IFS=, read -r _ rss1 fds1 threads1 _ <<< "$after"
+check "resident memory, KiB" "$rss0" "$rss1" 1
+check "descriptors" "$fds0" "$fds1" 0
+check "threads" "$threads0" "$threads1" 0
+check "control's p99, ms (quarters)" "$p99_first" "$p99_last" 5
+if (( ended != 0 )); then echo "the server ended with $ended"; failed=1; fi
+
+if command -v gnuplot > /dev/null; then
+  gnuplot <<PLOT
+set terminal pngcairo size 1200,900
+set output "$out/soak.png"
+set datafile separator ","
+set multiplot layout 3,1
+set xlabel "s"
+set grid
+set ylabel "resident, MiB"
+plot "$out/soak.csv" every ::1 using 1:(\$2/1024) with lines notitle
+set ylabel "count"
+plot "$out/soak.csv" every ::1 using 1:3 with lines title "descriptors", "" every ::1 using 1:4 with lines title "threads"
+set ylabel "control client, ms"
+set logscale y
+plot "$out/control.csv" every ::1 using 1:2 with dots title "latency, from when the frame was due"
+PLOT
+fi
+exit "$failed"
