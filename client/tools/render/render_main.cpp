@@ -53,7 +53,7 @@ void add_options(CLI::App& app, Options& options) {
       "--poses", options.input.poses,
       "JSON file: {\"poses\": [{\"marker\": 40, \"rotation\": [x, y, z, w], \"translation\": [x, "
       "y, "
-      "z]}, ...]}; camera_from_marker, metres, camera with +x right, +y up and -z forward as in "
+      "z]}, ...]}; camera_from_marker, metres, camera with x right, y down and z forward as in "
       "PROTOCOL.md, a unit quaternion; as --json prints them; without it markers are looked for in "
       "the image");
   app.add_option("--size", options.size, "WxH in pixels, without --camera-image: mid grey")

@@ -1,9 +1,8 @@
 #include "scene/gltf/extras.h"
 
-#include <algorithm>
-#include <array>
-#include <cctype>
-#include <string_view>
+#include <string>
+
+#include "scene/scene_error.h"
 
 namespace amalgam::scene {
 namespace {
@@ -11,16 +10,29 @@ namespace {
 constexpr int kMaxMarker = 1'000'000;
 
 std::optional<JsonCursor> object_member(const JsonCursor& holder, const char* name) {
-  const auto found = holder.find(name);
+  auto found = holder.find(name);
   if (!found || found->value().kind != JsonValue::Kind::Object) return std::nullopt;
   return found;
 }
 
-// Our own block must be an object if it is there at all.
-std::optional<JsonCursor> own_block(const std::optional<JsonCursor>& extras) {
-  const auto found = extras ? extras->find("amalgam") : std::nullopt;
-  if (found) found->expect_object();
-  return found;
+JsonValue parse_text(const JsonCursor& at) {
+  try {
+    return parse_json(at.string());
+  } catch (const SceneError& caught) {
+    at.fail("is a text that holds no JSON (" + std::string(caught.what()) +
+            "); JSON has double quotes, as in {\"role\": \"real\"}");
+  }
+}
+
+// Calls read(name, value) for each member of our own block, which must be an object if it is there.
+template <typename Read>
+void read_own_members(const std::optional<JsonCursor>& extras, const Read& read) {
+  const auto own = extras ? extras->find("amalgam") : std::nullopt;
+  if (!own) return;
+  const bool is_text = own->value().kind == JsonValue::Kind::String;
+  const JsonValue parsed = is_text ? parse_text(*own) : JsonValue{};
+  const JsonCursor block = is_text ? JsonCursor(parsed, own->path()) : *own;
+  for (const auto& [name, at] : block.members()) read(name, at);
 }
 
 Role parse_role(const JsonCursor& at) {
@@ -42,9 +54,7 @@ NodeExtras read_node_extras(const JsonCursor& node) {
   const auto extras = object_member(node, "extras");
   const auto catcher = extras ? extras->find("is_shadow_catcher") : std::nullopt;
   if (catcher && is_true(*catcher)) read.role = Role::Real;
-  const auto own = own_block(extras);
-  if (!own) return read;
-  for (const auto& [name, at] : own->members()) {
+  read_own_members(extras, [&](const std::string& name, const JsonCursor& at) {
     if (name == "role") {
       read.role = parse_role(at);
     } else if (name == "marker") {
@@ -52,15 +62,14 @@ NodeExtras read_node_extras(const JsonCursor& node) {
     } else {
       at.fail("is unknown; a node has role and marker");
     }
-  }
+  });
   return read;
 }
 
 SceneExtras read_scene_extras(const JsonCursor& scene) {
   SceneExtras read;
-  const auto own = own_block(object_member(scene, "extras"));
-  if (!own) return read;
-  for (const auto& [name, at] : own->members()) {
+  read_own_members(object_member(scene, "extras"), [&](const std::string& name,
+                                                       const JsonCursor& at) {
     if (name == "world_marker") {
       read.world.marker = static_cast<int>(at.integer(0, kMaxMarker));
       read.has_world_marker = true;
@@ -73,58 +82,8 @@ SceneExtras read_scene_extras(const JsonCursor& scene) {
     } else {
       at.fail("is unknown; a scene has world_marker, dictionary, marker_length and environment");
     }
-  }
+  });
   return read;
-}
-
-namespace {
-
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
-bool looks_like_ours(const std::string& name) {
-  constexpr std::array<std::string_view, 6> kMembers{"role",       "marker",        "world_marker",
-                                                     "dictionary", "marker_length", "environment"};
-  const std::string small = lower(name);
-  return name != "amalgam" &&
-         (small.starts_with("amalgam") ||
-          std::find(kMembers.begin(), kMembers.end(), small) != kMembers.end());
-}
-
-}  // namespace
-
-std::vector<std::string> doubtful_extras(const JsonCursor& root) {
-  std::vector<std::string> doubts;
-  bool any = false;
-  for (const char* collection : {"scenes", "nodes", "meshes", "materials"}) {
-    const auto elements = root.find(collection);
-    if (!elements) continue;
-    const std::string_view kind = collection;
-    const bool may_have_ours = kind == "scenes" || kind == "nodes";
-    for (const JsonCursor& element : elements->items()) {
-      const auto extras = object_member(element, "extras");
-      if (!extras) continue;
-      for (const auto& [name, at] : extras->members()) {
-        const bool is_ours = name == "amalgam" || name == "is_shadow_catcher";
-        if (is_ours && may_have_ours) any = true;
-        if (looks_like_ours(name)) {
-          doubts.push_back(at.path() +
-                           ": is not read; \"extras\": {\"amalgam\": {...}} holds what is ours");
-        } else if (is_ours && !may_have_ours) {
-          doubts.push_back(at.path() + ": is not read here, only at nodes and scenes");
-        }
-      }
-    }
-  }
-  if (!any) {
-    doubts.emplace_back(
-        "no \"extras\": {\"amalgam\": ...} in the file: all of it is virtual, on marker 0 of "
-        "DICT_6X6_250 with 0.05 m");
-  }
-  return doubts;
 }
 
 }  // namespace amalgam::scene

@@ -4,7 +4,6 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "scene/gltf/check/json_value.h"
 #include "scene/scene.h"
@@ -24,13 +23,10 @@ struct SceneExtras {
 };
 
 // Read "extras": {"amalgam": {"role", "marker"}} and Blender's bare "is_shadow_catcher" (true:
-// real), which an explicit role overrides. Other extras are ignored. Throw SceneError with the path
-// for a wrong or unknown member of "amalgam".
+// real), which an explicit role overrides. "amalgam" may also be a string that holds the object as
+// JSON: what Blender exports for a custom property of type String. Other extras are ignored. Throw
+// SceneError with the path for a wrong or unknown member of "amalgam".
 NodeExtras read_node_extras(const JsonCursor& node);
 SceneExtras read_scene_extras(const JsonCursor& scene);
-
-// Extras that look like ours and are not read, one line each: flat ("amalgam_role", "role") or
-// wrongly spelt ("Amalgam"). Or one line if nothing in the file has extras of ours at all.
-std::vector<std::string> doubtful_extras(const JsonCursor& root);
 
 }  // namespace amalgam::scene

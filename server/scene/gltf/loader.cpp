@@ -6,6 +6,7 @@
 
 #include "scene/glass_winding.h"
 #include "scene/gltf/accessor.h"
+#include "scene/gltf/doubtful_extras.h"
 #include "scene/gltf/environment_loader.h"
 #include "scene/gltf/extras.h"
 #include "scene/gltf/lights.h"

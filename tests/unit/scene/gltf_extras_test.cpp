@@ -8,6 +8,7 @@
 namespace amalgam::scene {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 // A parent with a child that carries the mesh, both with the given extras.
@@ -48,6 +49,32 @@ TEST(GltfExtras, AnchorsAreMarkersFrames) {
   // The child is: what stands above it belongs to the world marker's frame.
   const Scene child = load_pair("{}", R"({"amalgam": {"marker": 23}})");
   EXPECT_EQ(child.instances[0].anchor_from_mesh[3], glm::dvec4(0, 1, 0, 1));
+}
+
+// What Blender exports for custom properties of type String, Float and Boolean.
+TEST(GltfExtras, BlendersPropertiesMayBeTexts) {
+  const Scene scene = load_pair(R"({"amalgam": "{\"role\": \"real\", \"marker\": 23.0}"})", "{}");
+  EXPECT_EQ(scene.instances[0].role, Role::Real);
+  EXPECT_EQ(scene.instances[0].marker, 23);
+  const Scene world =
+      load_text(replaced(sample_gltf(), R"({"nodes": [0]})",
+                         R"({"nodes": [0], "extras": {"amalgam": " {\"world_marker\": 40} "}})"));
+  EXPECT_EQ(world.world.marker, 40);
+}
+
+TEST(GltfExtras, ATextThatIsNoObjectIsRefused) {
+  const auto refusal = [](const std::string& text) {
+    return refusal_of(replaced(sample_gltf(), R"({"name": "thing")",
+                               R"({"extras": {"amalgam": ")" + text + R"("}, "name": "thing")"));
+  };
+  // Python's quotes, which a property of type Python takes.
+  EXPECT_THAT(refusal("{'role': 'real'}"),
+              AllOf(HasSubstr("nodes[0].extras.amalgam"), HasSubstr("double quotes")));
+  EXPECT_THAT(refusal(""), HasSubstr("nodes[0].extras.amalgam: is a text that holds no JSON"));
+  EXPECT_THAT(refusal("real"), HasSubstr("holds no JSON"));
+  EXPECT_THAT(refusal("[3]"), HasSubstr("nodes[0].extras.amalgam: expected an object"));
+  EXPECT_THAT(refusal(R"({\"role\": \"ghost\"})"),
+              HasSubstr("nodes[0].extras.amalgam.role: 'ghost'"));
 }
 
 TEST(GltfExtras, ForeignExtrasAreNobodysBusiness) {

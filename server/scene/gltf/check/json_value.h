@@ -41,6 +41,8 @@ JsonValue parse_json(std::string_view text);
 class JsonCursor {
  public:
   explicit JsonCursor(const JsonValue& root) : value_(&root) {}
+  // For a document within another one: path is where it stands there.
+  JsonCursor(const JsonValue& value, std::string path) : value_(&value), path_(std::move(path)) {}
 
   const std::string& path() const { return path_; }
   const JsonValue& value() const { return *value_; }
@@ -65,7 +67,6 @@ class JsonCursor {
   std::vector<double> numbers(std::size_t count) const;  // an array of exactly `count` numbers
 
  private:
-  JsonCursor(const JsonValue& value, std::string path) : value_(&value), path_(std::move(path)) {}
   const char* kind_name() const;
 
   const JsonValue* value_;
