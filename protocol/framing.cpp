@@ -1,6 +1,7 @@
 #include "protocol/framing.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "protocol/limits.h"
@@ -76,6 +77,25 @@ Decoder::Result Decoder::next(std::span<const std::byte>& input) {
     if (taken == missing) return finish();
   }
   return NeedMore{};
+}
+
+Decoder::Result Decoder::next_part(std::span<const std::byte>& input, const Part& part) {
+  if (failure_) return *failure_;
+  if (input.empty() && !part.last) return NeedMore{};
+  // Counts as if its length had been there, so that sizes mean the same on every transport.
+  if (received_ == 0) received_ = kLengthBytes;
+  const bool first = received_ == kLengthBytes;
+  const std::size_t seen = received_ - kLengthBytes + input.size();
+  length_ = seen + std::min(part.at_least_left, std::numeric_limits<std::size_t>::max() - seen);
+  if (const auto defect = judge_length()) return fail(*defect);
+  if (!input.empty()) {
+    if (first) first_ = input.front();
+    if (const auto defect = judge_kind(first_)) return fail(*defect);
+    if (const auto defect = keep(input)) return fail(*defect);
+    received_ += input.size();
+    input = {};
+  }
+  return part.last ? finish() : Result(NeedMore{});
 }
 
 std::optional<std::string> Decoder::judge_length() const {

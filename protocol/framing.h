@@ -1,6 +1,7 @@
 // Frames Envelopes in a byte stream: a 4-byte little-endian length, then one Envelope. Used by both
-// ends. A length is checked before anything is allocated for it, and the bytes are looked at before
-// any is parsed (envelope_scan.h).
+// ends. Where the transport has messages itself, each is one Envelope without the length. A length
+// is checked before anything is allocated for it, and the bytes are looked at before any is parsed
+// (envelope_scan.h).
 #pragma once
 
 #include <cstddef>
@@ -47,10 +48,18 @@ class Decoder {
   // ends before. After a Failure every call returns the same one.
   Result next(std::span<const std::byte>& input);
 
+  // What is known of a piece of a message when the transport marks where messages end.
+  struct Part {
+    std::size_t at_least_left = 0;  // bytes of the message that certainly follow
+    bool last = false;
+  };
+  // The same for such a transport: consumes all of `input`, which is one piece of one message.
+  Result next_part(std::span<const std::byte>& input, const Part& part);
+
   // For the messages that begin after this call.
   void set_limits(const SizeLimits& limits) { limits_ = limits; }
 
-  // Received bytes of an incomplete message; 0 between messages.
+  // Received bytes of an incomplete message, with kLengthBytes; 0 between messages.
   std::size_t bytes_of_unfinished() const { return received_; }
 
  private:
@@ -61,8 +70,9 @@ class Decoder {
   Result finish();
 
   SizeLimits limits_;
-  std::size_t received_ = 0;  // of the current message, its length included
-  std::size_t length_ = 0;
+  std::size_t received_ = 0;  // of the current message, with kLengthBytes
+  std::size_t length_ = 0;    // of the Envelope, or what is known of it
+  std::byte first_{};         // of the Envelope
   std::string body_;
   EnvelopeScan scan_;
   std::optional<Failure> failure_;

@@ -35,6 +35,12 @@ class Stream {
 
   boost::asio::ip::tcp::socket& socket() { return socket_; }
 
+  // Calls f with Asio's stream, for whoever speaks another protocol over the same bytes.
+  template <typename F>
+  void visit(F f) {
+    tls_ ? f(*tls_) : f(socket_);
+  }
+
  private:
   boost::asio::ip::tcp::socket socket_;
   Tls context_;

@@ -68,6 +68,7 @@ void serve(const ServerOptions& options, const ReloadOptions& reload_options) {
   std::cout << "listening on " << to_string(server.address()) << " admin "
             << to_string(server.admin_address());
   if (const auto agent = server.agent_address()) std::cout << " agent " << to_string(*agent);
+  if (const auto web = server.web_address()) std::cout << " web " << to_string(*web);
   std::cout << std::endl;
   network.join();
   common::log_info("ended");

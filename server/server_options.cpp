@@ -11,6 +11,7 @@
 #include "frame/rendering_threads.h"
 #include "net/address_key.h"
 #include "server/renderer_options.h"
+#include "web/web_files.h"
 
 namespace amalgam {
 namespace {
@@ -107,18 +108,33 @@ void add_security_options(CLI::App& app, net::ServerConfig& net, std::string& to
                "serve other machines although neither a token nor TLS is asked for");
 }
 
+void add_web_options(CLI::App& app, std::string& address, net::WebOptions& web) {
+  app.add_option("--web", address,
+                 "where browsers get the page and hold sessions over WebSocket; port 0 as above. "
+                 "Without it, nowhere")
+      ->type_name("ADDRESS:PORT");
+  app.add_option("--web-folder", web.folder,
+                 "folder with the files of the page, instead of the built-in ones")
+      ->type_name("FOLDER")
+      ->check(CLI::ExistingDirectory.description(""));
+  app.add_option("--web-origin", web.origins,
+                 "whose pages may open sessions, as https://example.org:8443; repeatable. Without "
+                 "it, the server's own page")
+      ->type_name("ORIGIN");
+}
+
 bool is_loopback(const std::string& address) {
   return address.rfind("127.", 0) == 0 || address == "::1" || address.rfind("::ffff:127.", 0) == 0;
 }
 
 // Whoever opens a server to a network should have meant to.
 void check_exposure(const net::ServerConfig& net, bool insecure) {
-  if (insecure || is_loopback(net.listen.host) || !net.grants.empty() ||
-      !net.tls.certificate.empty()) {
-    return;
+  if (insecure || !net.grants.empty() || !net.tls.certificate.empty()) return;
+  for (const common::HostPort& address : {net.listen, net.web.value_or(net.listen)}) {
+    if (is_loopback(address.host)) continue;
+    throw std::invalid_argument("anybody could use " + to_string(address) +
+                                ": give --token-file or --tls-certificate, or say --insecure");
   }
-  throw std::invalid_argument("anybody could use " + to_string(net.listen) +
-                              ": give --token-file or --tls-certificate, or say --insecure");
 }
 
 }  // namespace
@@ -151,6 +167,8 @@ std::optional<ServerOptions> parse_server_options(int argc, const char* const* a
                  "where a load balancer reads the free capacity (HAProxy's agent-check); port 0 as "
                  "above. Without it, nowhere")
       ->type_name("ADDRESS:PORT");
+  std::string web;
+  add_web_options(app, web, options.net.web_options);
   bool insecure = false;
   add_security_options(app, options.net, token_file, insecure);
   tools::add_renderer_options(app, options.render.renderer);
@@ -173,6 +191,8 @@ std::optional<ServerOptions> parse_server_options(int argc, const char* const* a
   options.net.listen = common::parse_host_port(listen);
   options.net.admin = common::parse_host_port(admin);
   if (!agent.empty()) options.net.agent = common::parse_host_port(agent);
+  if (!web.empty()) options.net.web = common::parse_host_port(web);
+  options.net.web_options.files = web::web_files();
   options.net.ray_tracer = frame::ray_tracer_version();
   if (!token_file.empty()) options.net.grants = net::read_grants(token_file);
   check_exposure(options.net, insecure);

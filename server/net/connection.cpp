@@ -39,13 +39,12 @@ std::string peer_of(const asio::ip::tcp::socket& socket) {
 
 }  // namespace
 
-Connection::Connection(asio::ip::tcp::socket socket, ConnectionLimits::Ticket ticket, bool by_proxy,
-                       std::uint64_t id, Shared& shared, OnEnd on_end)
-    : stream_(std::move(socket)),
-      timer_(stream_.socket().get_executor()),
+Connection::Connection(std::unique_ptr<Transport> transport, ConnectionLimits::Ticket ticket,
+                       bool by_proxy, std::uint64_t id, Shared& shared, OnEnd on_end)
+    : transport_(std::move(transport)),
+      timer_(transport_->socket().get_executor()),
       ticket_(std::move(ticket)),
       by_proxy_(by_proxy),
-      tls_(shared.tls),
       shared_(shared),
       context_(shared.context),
       id_(id),
@@ -54,16 +53,16 @@ Connection::Connection(asio::ip::tcp::socket socket, ConnectionLimits::Ticket ti
       read_buffer_(protocol::kMaxBeforeHelloBytes),
       decoder_(protocol::limits_before_hello()),
       slot_(protocol::kMaxQueuedControl),
-      conversation_(id, peer_of(stream_.socket()), *this, context_) {}
+      conversation_(id, peer_of(transport_->socket()), *this, context_) {}
 
 void Connection::start() {
-  common::set_tcp_options(stream_.socket().native_handle(),
+  common::set_tcp_options(transport_->socket().native_handle(),
                           {.user_timeout = context_.config.session.idle_timeout,
                            .unsent_bytes = protocol::kUnsentBytes,
                            .send_buffer_bytes = protocol::kSendBufferBytes});
   guarded([&] {
     wait();
-    by_proxy_ ? read_proxy_header() : secure();
+    by_proxy_ ? read_proxy_header() : open();
   });
 }
 
@@ -71,10 +70,10 @@ void Connection::start() {
 
 // Looked at before it is taken, so that nothing behind the header is taken with it.
 void Connection::read_proxy_header() {
-  stream_.socket().async_wait(asio::ip::tcp::socket::wait_read,
-                              [self = shared_from_this()](const ErrorCode& ec) {
-                                self->guarded([&] { self->on_proxy_bytes(ec); });
-                              });
+  transport_->socket().async_wait(asio::ip::tcp::socket::wait_read,
+                                  [self = shared_from_this()](const ErrorCode& ec) {
+                                    self->guarded([&] { self->on_proxy_bytes(ec); });
+                                  });
 }
 
 void Connection::on_proxy_bytes(const ErrorCode& failed) {
@@ -83,7 +82,7 @@ void Connection::on_proxy_bytes(const ErrorCode& failed) {
   ErrorCode ec;
   std::array<std::byte, kMaxProxyHeaderBytes> bytes;
   const std::size_t size =
-      stream_.socket().receive(asio::buffer(bytes), asio::ip::tcp::socket::message_peek, ec);
+      transport_->socket().receive(asio::buffer(bytes), asio::ip::tcp::socket::message_peek, ec);
   if (ec) return lost(ec, "read");
   const auto parsed = parse_proxy_header(std::span(bytes).first(size));
   if (const auto* defect = std::get_if<ProxyDefect>(&parsed)) {
@@ -91,10 +90,11 @@ void Connection::on_proxy_bytes(const ErrorCode& failed) {
   }
   if (std::holds_alternative<ProxyNeedsMore>(parsed)) return wait_for_proxy();
   const auto& header = std::get<ProxyHeader>(parsed);
-  asio::read(stream_.socket(), asio::buffer(bytes, header.bytes), ec);
+  asio::read(transport_->socket(), asio::buffer(bytes, header.bytes), ec);
   if (ec) return lost(ec, "read");
-  if (header.client && !is_admitted(*header.client)) return;
-  secure();
+  // Whoever is refused is not worth a TLS handshake; without one it can be told why.
+  if (header.client && !is_admitted(*header.client) && transport_->encrypted()) return;
+  open();
 }
 
 // A header comes in one packet, or its sender may take its time: readiness would be told again and
@@ -123,43 +123,57 @@ bool Connection::is_admitted(const asio::ip::tcp::endpoint& client) {
   return true;
 }
 
-void Connection::secure() {
-  if (!tls_) return read();
-  stream_.handshake_as_server(tls_, [self = shared_from_this()](const ErrorCode& ec) {
-    self->guarded([&] {
-      if (self->state_ == State::Ended) return;
-      if (ec) return self->lost(ec, "TLS");
-      self->secured_ = true;
-      self->write();  // a farewell may be waiting already
-      self->read();
-    });
-  });
+void Connection::open() {
+  transport_->open(
+      [self = shared_from_this()](const ErrorCode& ec, Transport::Opened opened) {
+        self->guarded([&] { self->on_opened(ec, opened); });
+      },
+      [weak = weak_from_this()] {
+        if (const auto self = weak.lock()) self->deadlines_.served(Clock::now());
+      });
+}
+
+void Connection::on_opened(const ErrorCode& ec, Transport::Opened opened) {
+  if (state_ == State::Ended) return;
+  if (ec) return lost(ec, "handshake");
+  if (opened == Transport::Opened::Nothing) {
+    slot_.drop_control();  // nobody is there who would understand it
+    close();
+    finish_sending();
+  } else {
+    opened_ = true;
+    write();  // a farewell may be waiting already
+  }
+  read();
 }
 
 // --- reading ---
 
 void Connection::read() {
-  stream_.read_some(asio::buffer(read_buffer_),
-                    [self = shared_from_this()](const ErrorCode& ec, std::size_t size) {
-                      self->guarded([&] { self->on_read(ec, size); });
-                    });
+  transport_->read(
+      asio::buffer(read_buffer_),
+      [self = shared_from_this()](const ErrorCode& ec, const Transport::Received& received) {
+        self->guarded([&] { self->on_read(ec, received); });
+      });
 }
 
-void Connection::on_read(const ErrorCode& ec, std::size_t size) {
+void Connection::on_read(const ErrorCode& ec, const Transport::Received& received) {
   if (state_ == State::Ended) return;
   if (ec) return lost(ec, "read");
-  common::acknowledge_now(stream_.socket().native_handle());
+  common::acknowledge_now(transport_->socket().native_handle());
   // While closing, what still arrives is thrown away: unread bytes would make the kernel reset the
   // connection, and the client would never see the Error that tells it why.
-  if (state_ == State::Open) take(std::span(read_buffer_).first(size));
+  if (state_ == State::Open) take(std::span(read_buffer_).first(received.size), received);
   if (state_ != State::Ended) read();
 }
 
-void Connection::take(std::span<const std::byte> input) {
-  while (state_ == State::Open) {
+void Connection::take(std::span<const std::byte> input, const Transport::Received& received) {
+  if (received.defect) return fail(Error::PROTOCOL_ERROR, received.defect);
+  do {
     const std::size_t left = input.size();
     const std::size_t begun = decoder_.bytes_of_unfinished();
-    const protocol::Decoder::Result result = decoder_.next(input);
+    const protocol::Decoder::Result result =
+        received.part ? decoder_.next_part(input, *received.part) : decoder_.next(input);
     const std::size_t size_of_last = begun + left - input.size();
     if (std::holds_alternative<protocol::Decoder::NeedMore>(result)) break;
     if (const auto* failure = std::get_if<protocol::Decoder::Failure>(&result)) {
@@ -174,7 +188,7 @@ void Connection::take(std::span<const std::byte> input) {
         conversation_.visit(std::get<Envelope>(result));
       }
     });
-  }
+  } while (state_ == State::Open && !input.empty());
   deadlines_.received_part(decoder_.bytes_of_unfinished(), Clock::now());
 }
 
@@ -201,18 +215,18 @@ void Connection::send_last(const Envelope& message) {
 }
 
 void Connection::write() {
-  // Before the handshake is over nothing can be said: the client would take it for TLS.
-  if (tls_ && !secured_) return;
+  // Before the handshake is over nothing can be said: the client would take it for a part of that.
+  if (!opened_) return;
   const bool may_answer = unread_.size() < protocol::kMaxUnreadComposites;
   std::optional<std::string> bytes = slot_.begin_write(conversation_.skipped(), may_answer);
   if (!bytes) return;
   writing_ = std::move(*bytes);
   if (slot_.writing_answer()) append_ping();
   deadlines_.write_begun(Clock::now());
-  stream_.write(asio::buffer(writing_),
-                [self = shared_from_this()](const ErrorCode& ec, std::size_t size) {
-                  self->guarded([&] { self->on_written(ec, size); });
-                });
+  transport_->write(asio::buffer(writing_),
+                    [self = shared_from_this()](const ErrorCode& ec, std::size_t size) {
+                      self->guarded([&] { self->on_written(ec, size); });
+                    });
 }
 
 // The pong will tell that the composite was read, wherever buffers are between us and the reader.
@@ -297,7 +311,7 @@ void Connection::refused() {
 
 // Steps come from the renderer's thread, and the connection may have ended by then.
 std::function<void(Line::Step)> Connection::posting() {
-  return [executor = stream_.socket().get_executor(), weak = weak_from_this()](Step step) {
+  return [executor = transport_->socket().get_executor(), weak = weak_from_this()](Step step) {
     asio::post(executor, [weak, step = std::move(step)] {
       const auto self = weak.lock();
       if (!self) return;
@@ -307,6 +321,12 @@ std::function<void(Line::Step)> Connection::posting() {
       });
     });
   };
+}
+
+SessionReport Connection::report() const {
+  SessionReport report = conversation_.report();
+  report.transport = transport_->name();
+  return report;
 }
 
 // --- errors and ends ---
@@ -340,7 +360,7 @@ void Connection::close() {
 }
 
 void Connection::finish_sending() {
-  if (slot_.empty()) stream_.finish_sending();
+  if (slot_.empty()) transport_->finish_sending();
 }
 
 void Connection::drain(std::chrono::milliseconds deadline) {
@@ -361,7 +381,7 @@ void Connection::end() {
     if (slot_.drop_answer()) conversation_.dropped();
     conversation_.leave();
   });
-  stream_.close();
+  transport_->close();
   quietly([&] { timer_.cancel(); });
   quietly([&] { proxy_timer_.cancel(); });
   ticket_.reset();

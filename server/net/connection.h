@@ -20,9 +20,9 @@
 #include "net/connection_limits.h"
 #include "net/conversation.h"
 #include "net/deadlines.h"
+#include "net/transport.h"
 #include "net/write_slot.h"
 #include "protocol/framing.h"
-#include "protocol/stream.h"
 
 namespace amalgam::net {
 
@@ -33,13 +33,12 @@ class Connection : public std::enable_shared_from_this<Connection>, private Line
     ServerContext& context;
     ConnectionLimits& limits;
     BackOff& back_off;
-    std::shared_ptr<boost::asio::ssl::context>& tls;  // null: bytes are not encrypted
   };
   // Called exactly once, at the end.
   using OnEnd = std::function<void(std::uint64_t id)>;
 
   // by_proxy: a trusted proxy's, which first says in a PROXY header whom it speaks for.
-  Connection(boost::asio::ip::tcp::socket socket, ConnectionLimits::Ticket ticket, bool by_proxy,
+  Connection(std::unique_ptr<Transport> transport, ConnectionLimits::Ticket ticket, bool by_proxy,
              std::uint64_t id, Shared& shared, OnEnd on_end);
 
   void start();
@@ -47,7 +46,7 @@ class Connection : public std::enable_shared_from_this<Connection>, private Line
   void drain(std::chrono::milliseconds deadline);
   // Ends at once.
   void end();
-  SessionReport report() const { return conversation_.report(); }
+  SessionReport report() const;
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -68,10 +67,11 @@ class Connection : public std::enable_shared_from_this<Connection>, private Line
   void on_proxy_bytes(const ErrorCode& failed);
   void wait_for_proxy();
   bool is_admitted(const boost::asio::ip::tcp::endpoint& client);
-  void secure();
+  void open();
+  void on_opened(const ErrorCode& ec, Transport::Opened opened);
   void read();
-  void on_read(const ErrorCode& ec, std::size_t size);
-  void take(std::span<const std::byte> input);
+  void on_read(const ErrorCode& ec, const Transport::Received& received);
+  void take(std::span<const std::byte> input, const Transport::Received& received);
 
   void write();
   void append_ping();
@@ -90,12 +90,11 @@ class Connection : public std::enable_shared_from_this<Connection>, private Line
   }
   void lost(const ErrorCode& ec, const char* what);
 
-  protocol::Stream stream_;
+  std::unique_ptr<Transport> transport_;
   boost::asio::steady_timer timer_, proxy_timer_{timer_.get_executor()};
   std::optional<ConnectionLimits::Ticket> ticket_;
   const bool by_proxy_;
-  std::shared_ptr<boost::asio::ssl::context> tls_;  // null: bytes are not encrypted
-  bool secured_ = false;                            // the TLS handshake is over
+  bool opened_ = false;  // Envelopes can be written
   Shared& shared_;
   ServerContext& context_;
   std::uint64_t id_;

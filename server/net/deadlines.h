@@ -18,6 +18,8 @@ class Deadlines {
   Deadlines(const SessionLimits& limits, Time now)
       : limits_(limits), connected_(now), heard_(now) {}
 
+  // A client that was served something else first gets its time for the hello anew.
+  void served(Time now) { connected_ = now; }
   // The hello was accepted: from now on the client is pinged and must be heard.
   void authenticated(Time now);
   void received_message(Time now);

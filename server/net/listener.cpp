@@ -6,23 +6,22 @@
 
 #include "net/address_key.h"
 #include "net/say_and_close.h"
-#include "net/wire.h"
-#include "protocol/framing.h"
 #include "protocol/limits.h"
 
 namespace amalgam::net {
 
 using boost::asio::ip::tcp;
 
-Listener::Listener(boost::asio::io_context& io, const ServerConfig& config,
-                   ConnectionLimits& limits, BackOff& back_off, Metrics& metrics,
-                   OnAdmitted on_admitted)
+Listener::Listener(boost::asio::io_context& io, const common::HostPort& address,
+                   const ServerConfig& config, ConnectionLimits& limits, BackOff& back_off,
+                   Metrics& metrics, Refusal refusal, OnAdmitted on_admitted)
     : config_(config),
       limits_(limits),
       back_off_(back_off),
       metrics_(metrics),
+      refusal_(std::move(refusal)),
       on_admitted_(std::move(on_admitted)),
-      accept_loop_(io, config.listen, [this](tcp::socket socket) { judge(std::move(socket)); }) {}
+      accept_loop_(io, address, [this](tcp::socket socket) { judge(std::move(socket)); }) {}
 
 void Listener::judge(tcp::socket socket) {
   boost::system::error_code ec;
@@ -49,7 +48,7 @@ void Listener::refuse(tcp::socket& socket, const char* label, std::chrono::milli
   metrics_.refused(label);
   // A client that expects TLS would take a Busy for garbage; a close says as much.
   if (!config_.tls.certificate.empty()) return;
-  say_and_close(socket, protocol::encode(busy_message(retry_after, reason)));
+  say_and_close(socket, refusal_(retry_after, reason));
 }
 
 }  // namespace amalgam::net

@@ -4,6 +4,7 @@
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
+#include <chrono>
 #include <functional>
 #include <string>
 
@@ -24,9 +25,14 @@ class Listener {
   };
   using OnAdmitted = std::function<void(Admitted)>;
 
+  // What is said to somebody who is refused.
+  using Refusal =
+      std::function<std::string(std::chrono::milliseconds retry_after, const std::string& reason)>;
+
   // All outlive the Listener.
-  Listener(boost::asio::io_context& io, const ServerConfig& config, ConnectionLimits& limits,
-           BackOff& back_off, Metrics& metrics, OnAdmitted on_admitted);
+  Listener(boost::asio::io_context& io, const common::HostPort& address, const ServerConfig& config,
+           ConnectionLimits& limits, BackOff& back_off, Metrics& metrics, Refusal refusal,
+           OnAdmitted on_admitted);
 
   void listen() { accept_loop_.listen(); }
   void start() { accept_loop_.start(); }
@@ -43,6 +49,7 @@ class Listener {
   ConnectionLimits& limits_;
   BackOff& back_off_;
   Metrics& metrics_;
+  Refusal refusal_;
   OnAdmitted on_admitted_;
   AcceptLoop accept_loop_;
 };

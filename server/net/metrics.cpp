@@ -122,6 +122,8 @@ struct Metrics::Families {
       counter("amalgam_environments_total", "Environments sent by clients, by what became of them");
   Family<Counter>& reloads =
       counter("amalgam_reloads_total", "Reloads of scene and configuration, by result");
+  Family<Counter>& connected =
+      counter("amalgam_connections_accepted_total", "Connections of clients, by transport");
   Family<Counter>& refusals =
       counter("amalgam_refusals_total", "Connections and sessions refused, by reason");
   Family<Counter>& errors =
@@ -164,6 +166,9 @@ Metrics::Metrics() : families_(std::make_unique<Families>()) {
 }
 Metrics::~Metrics() = default;
 
+void Metrics::connected(const std::string& transport) {
+  families_->connected.Add({{"transport", transport}}).Increment();
+}
 void Metrics::session_opened() {
   families_->sessions.Increment();
 }

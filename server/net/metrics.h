@@ -35,6 +35,7 @@ class Metrics {
   Metrics();
   ~Metrics();
 
+  void connected(const std::string& transport);
   void session_opened();
   void session_closed();
   void refused(const std::string& reason);  // a connection or session that was not served

@@ -24,7 +24,12 @@
 #include "net/quietly.h"
 #include "net/state_page.h"
 #include "net/supervisor.h"
+#include "net/tcp_transport.h"
 #include "net/tls.h"
+#include "net/web_request.h"
+#include "net/web_transport.h"
+#include "net/wire.h"
+#include "protocol/framing.h"
 
 namespace amalgam::net {
 namespace {
@@ -46,12 +51,20 @@ class Server::Impl {
                 .not_ready = [this] { return not_ready(); },
                 .metrics = [this] { return metrics_.text(gauges()); },
                 .state = [this] { return state(); }}),
-        listener_(io_, config_, limits_, back_off_, metrics_,
-                  [this](Listener::Admitted admitted) { admit(std::move(admitted)); }),
+        listener_(
+            io_, config.listen, config_, limits_, back_off_, metrics_,
+            [](std::chrono::milliseconds retry_after, const std::string& reason) {
+              return protocol::encode(busy_message(retry_after, reason));
+            },
+            [this](Listener::Admitted admitted) {
+              auto transport = std::make_unique<TcpTransport>(std::move(admitted.socket), tls_);
+              admit(std::move(admitted), std::move(transport));
+            }),
         signals_(io_),
         drain_timer_(io_),
         tick_timer_(io_) {
     if (config.agent) agent_.emplace(io_, *config.agent, [this] { return agent_answer(); });
+    if (config.web) listen_to_browsers(*config.web);
     admin_.start();
     if (agent_) agent_->start();
   }
@@ -61,11 +74,13 @@ class Server::Impl {
 
   void serve(frame::FrameService& service) {
     listener_.listen();  // here, so that the caller can tell the world, or learns that it failed
+    if (web_) web_->listen();
     asio::post(io_, [this, &service] {
       if (phase_ != Phase::Loading) return;
       context_.emplace(ServerContext{config_, service, metrics_, admission_, false});
-      shared_.emplace(Connection::Shared{*context_, limits_, back_off_, tls_});
+      shared_.emplace(Connection::Shared{*context_, limits_, back_off_});
       listener_.start();
+      if (web_) web_->start();
       phase_ = Phase::Serving;
       tell_supervisor(ServiceState::Ready);
     });
@@ -94,11 +109,12 @@ class Server::Impl {
 
   void configure(const ServerConfig& config, TlsContext tls) {
     const common::HostPort listen = config_.listen, admin = config_.admin;
-    const auto agent = config_.agent;
+    const auto agent = config_.agent, web = config_.web;
     config_ = config;
     config_.listen = listen;
     config_.admin = admin;
     config_.agent = agent;
+    config_.web = web;
     tls_ = std::move(tls);
     limits_.set_caps(config.connections);
     admission_.set_limits(config.admission);
@@ -126,14 +142,28 @@ class Server::Impl {
     return agent_ ? std::optional(agent_->address()) : std::nullopt;
   }
 
+  std::optional<common::HostPort> web_address() const {
+    return web_ ? std::optional(web_->address()) : std::nullopt;
+  }
+
  private:
   // Leaving: still serves everybody, but tells load balancers to look elsewhere.
   enum class Phase { Loading, Serving, Leaving, Draining, Finished };
 
-  void admit(Listener::Admitted admitted) {
+  void listen_to_browsers(const common::HostPort& address) {
+    web_.emplace(io_, address, config_, limits_, back_off_, metrics_, busy_answer,
+                 [this](Listener::Admitted admitted) {
+                   auto transport = std::make_unique<WebTransport>(std::move(admitted.socket), tls_,
+                                                                   config_.web_options);
+                   admit(std::move(admitted), std::move(transport));
+                 });
+  }
+
+  void admit(Listener::Admitted admitted, std::unique_ptr<Transport> transport) {
+    metrics_.connected(transport->name());
     const std::uint64_t id = ++last_session_;
     const auto session = std::make_shared<Connection>(
-        std::move(admitted.socket), std::move(admitted.ticket), admitted.by_proxy, id, *shared_,
+        std::move(transport), std::move(admitted.ticket), admitted.by_proxy, id, *shared_,
         [this](std::uint64_t ended) { on_end(ended); });
     sessions_.emplace(id, session);
     session->start();
@@ -172,6 +202,7 @@ class Server::Impl {
     admin_.restart();
     if (agent_) agent_->restart();
     listener_.restart();
+    if (web_) web_->restart();
     tick();
   }
 
@@ -211,7 +242,7 @@ class Server::Impl {
   void drain_sessions() {
     common::log_info("draining " + std::to_string(sessions_.size()) + " sessions");
     phase_ = Phase::Draining;
-    listener_.close();
+    close_listeners();
     // A copy: sessions leave the map as they end.
     for (const auto& session : copy_of_sessions()) session->drain(config_.drain_timeout);
     if (sessions_.empty()) return finish();
@@ -223,11 +254,16 @@ class Server::Impl {
 
   void finish() {
     if (std::exchange(phase_, Phase::Finished) == Phase::Finished) return;
-    listener_.close();
+    close_listeners();
     end_sessions();
     boost::system::error_code ignored;
     signals_.clear(ignored);  // nobody would hear the next one: let it end the process by itself
     io_.stop();
+  }
+
+  void close_listeners() {
+    listener_.close();
+    if (web_) web_->close();
   }
 
   void end_sessions() {
@@ -309,6 +345,7 @@ class Server::Impl {
   Admin admin_;
   std::optional<AgentCheck> agent_;
   Listener listener_;
+  std::optional<Listener> web_;
   asio::signal_set signals_;
   asio::steady_timer drain_timer_;
   asio::steady_timer tick_timer_;
@@ -349,6 +386,9 @@ common::HostPort Server::admin_address() const {
 }
 std::optional<common::HostPort> Server::agent_address() const {
   return impl_->agent_address();
+}
+std::optional<common::HostPort> Server::web_address() const {
+  return impl_->web_address();
 }
 
 }  // namespace amalgam::net

@@ -15,7 +15,7 @@ namespace amalgam::net {
 
 class Server {
  public:
-  // Binds both addresses. Once run() is called the admin port answers, not ready yet. Throws
+  // Binds all addresses. Once run() is called the admin port answers, not ready yet. Throws
   // std::runtime_error if an address cannot be bound or a certificate not be used.
   explicit Server(const ServerConfig& config);
   ~Server();
@@ -50,6 +50,7 @@ class Server {
   common::HostPort address() const;
   common::HostPort admin_address() const;
   std::optional<common::HostPort> agent_address() const;
+  std::optional<common::HostPort> web_address() const;
 
  private:
   class Impl;

@@ -6,12 +6,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "common/host_port.h"
 #include "net/access.h"
 #include "protocol/limits.h"
+#include "web/web_files.h"
 
 namespace amalgam::net {
 
@@ -47,11 +49,21 @@ struct TlsFiles {
   std::string certificate, key;  // PEM; both or none
 };
 
+// What browsers get at the web port.
+struct WebOptions {
+  std::span<const web::WebFile> files;  // of the page
+  std::string folder;                   // where they are read instead; empty: nowhere
+  // Whose pages may open sessions, as https://example.org:8443. Empty: the server's own page.
+  std::vector<std::string> origins;
+};
+
 struct ServerConfig {
   common::HostPort listen{"127.0.0.1", 7447};
   common::HostPort admin{"127.0.0.1", 7448};
   std::optional<common::HostPort> agent;  // where a load balancer asks for the free capacity
-  std::vector<Grant> grants;              // empty: clients need no token
+  std::optional<common::HostPort> web;    // where browsers connect
+  WebOptions web_options;
+  std::vector<Grant> grants;  // empty: clients need no token
   EnvironmentFrom environment_from = EnvironmentFrom::Authorised;
   std::vector<std::string> trusted_proxies;  // unmapped addresses whose PROXY headers are believed
   TlsFiles tls;

@@ -10,6 +10,7 @@ namespace amalgam::net {
 struct SessionReport {
   std::uint64_t id = 0;
   std::string peer;
+  std::string transport;
   std::string state;
   int width = 0, height = 0;  // pixels
   std::uint64_t received = 0, sent = 0, skipped = 0;

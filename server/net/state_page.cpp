@@ -35,6 +35,7 @@ std::string session_text(const SessionReport& session) {
   ObjectText object;
   object.add("id", session.id);
   object.add("peer", session.peer);
+  object.add("transport", session.transport);
   object.add("state", session.state);
   object.add("width", session.width);
   object.add("height", session.height);

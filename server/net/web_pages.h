@@ -1,0 +1,27 @@
+// The files of the browser's page: embedded ones, or those of a folder for whoever works on them.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "web/web_files.h"
+
+namespace amalgam::net {
+
+struct WebPage {
+  std::string_view content_type;
+  std::string tag;         // changes with the bytes
+  std::string own;         // bytes from a folder
+  std::string_view fixed;  // embedded bytes, which outlive everything
+
+  std::string_view bytes() const { return fixed.data() ? fixed : std::string_view(own); }
+};
+
+// folder: empty, or where files are read anew for each request instead of looked up in `files`.
+// Nothing if there is no such file. path: as in a request, "/" for the page itself.
+std::optional<WebPage> find_web_page(std::span<const web::WebFile> files, const std::string& folder,
+                                     std::string_view path);
+
+}  // namespace amalgam::net
