@@ -1,6 +1,7 @@
 // Draws a marker by its formula: a printed pattern seen under a projective map, each pixel the mean
 // of many samples, as a sensor takes it.
 import { GreyImage } from "amalgam-page/markers/grey_image.js";
+import table from "amalgam-page/markers/opencv.json";
 
 const SAMPLES = 8; // along each side of a pixel
 const WHITE = 220;
@@ -32,6 +33,14 @@ function quadrangleToSquare(corners) {
     const w = h[6] * x + h[7] * y + 1;
     return [(h[0] * x + h[1] * y + h[2]) / w, (h[3] * x + h[4] * y + h[5]) / w];
   };
+}
+
+/** @returns {string[]} rows of "0" (black) and "1" (white), without the border */
+export function patternOf(dictionary, id) {
+  const { bits, codes } = table.dictionaries[dictionary];
+  const code = BigInt(`0x${table.codes[codes].split(" ")[id]}`).toString(2);
+  const all = code.padStart(bits * bits, "0");
+  return Array.from({ length: bits }, (_, row) => all.slice(row * bits, (row + 1) * bits));
 }
 
 /**

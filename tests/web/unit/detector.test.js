@@ -7,17 +7,10 @@ import jpeg from "jpeg-js";
 import { Detector } from "amalgam-page/markers/detector.js";
 import { GreyImage } from "amalgam-page/markers/grey_image.js";
 import table from "amalgam-page/markers/opencv.json";
-import { drawMarker } from "../support/drawn_marker.js";
+import { drawMarker, patternOf } from "../support/drawn_marker.js";
 import { testData } from "../support/places.js";
 
-
-const MARKER_40 = readPattern("DICT_6X6_250", 40);
-
-function readPattern(name, id) {
-  const { bits, codes } = table.dictionaries[name];
-  const code = BigInt(`0x${table.codes[codes].split(" ")[id]}`).toString(2).padStart(bits * bits, "0");
-  return Array.from({ length: bits }, (_, row) => code.slice(row * bits, (row + 1) * bits));
-}
+const MARKER_40 = patternOf("DICT_6X6_250", 40);
 
 const furthest = (found, expected) =>
   Math.max(...found.map(({ x, y }, i) => Math.hypot(x - expected[i].x, y - expected[i].y)));
@@ -63,7 +56,7 @@ test("an even picture and a black square hold no marker", () => {
 
 test("each family of dictionaries is read", () => {
   for (const [name, id] of [["DICT_4X4_50", 7], ["DICT_5X5_100", 33], ["DICT_7X7_250", 101], ["DICT_APRILTAG_36h11", 9]]) {
-    const image = drawMarker(readPattern(name, id), SQUARE, 160, 140);
+    const image = drawMarker(patternOf(name, id), SQUARE, 160, 140);
     const found = new Detector(table, name, 160, 140).detect(image);
     assert.deepEqual(found.map((marker) => marker.id), [id], name);
   }
