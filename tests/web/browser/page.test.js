@@ -5,8 +5,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import jpeg from "jpeg-js";
-import { GreyImage } from "amalgam-page/markers/grey_image.js";
-import { CHROMIUM, openBrowser, startCamera, textMatches } from "../support/browser.js";
+import { CHROMIUM, closeBrowsers, openPage, startCamera, textMatches } from "../support/browser.js";
 import { drawMarker, patternOf } from "../support/drawn_marker.js";
 import { writeFilm } from "../support/film.js";
 import { buildFolder } from "../support/places.js";
@@ -22,9 +21,11 @@ const film = (name) => join(folder, `${name}.y4m`);
 before(() => {
   folder = mkdtempSync(join(tmpdir(), "amalgam-film-"));
   writeFilm(film("marker"), [drawMarker(patternOf("DICT_6X6_250", 40), CORNERS, 320, 240)]);
-  writeFilm(film("empty"), [new GreyImage(320, 240, new Uint8Array(320 * 240).fill(128))]);
 });
-after(() => rmSync(folder, { recursive: true }));
+after(async () => {
+  await closeBrowsers();
+  rmSync(folder, { recursive: true });
+});
 
 const poses = ({ corners }) =>
   corners.map(({ marker }) => ({ marker, translation: { x: 0, y: 0, z: 0.5 } }));
@@ -34,17 +35,17 @@ const friendly = {
   cameraFrame: (frame, send) => send("composite", { ...unchanged(frame), poses: poses(frame) }),
 };
 
-/** Runs f with a browser and a server, and sees to it that both end and that nothing went wrong. */
+/** Runs f with a page and a server, and sees to it that both end and that nothing went wrong. */
 async function withPage({ answers = friendly, ...options }, f) {
   const server = new StubServer(PAGE, answers);
   const address = await server.listen();
-  const browser = await openBrowser(options);
+  const opened = await openPage(options);
   try {
-    await f({ ...browser, server, address });
-    const complaints = browser.complaints.filter((text) => !text.includes("WebSocket connection to"));
+    await f({ ...opened, server, address });
+    const complaints = opened.complaints.filter((text) => !text.includes("WebSocket connection to"));
     assert.deepEqual(complaints, []); // what the content security policy forbids is among them
   } finally {
-    await browser.close();
+    await opened.close();
     await server.close();
   }
 }
@@ -71,14 +72,15 @@ test("frames are sent with corners, and composites are shown", { skip }, async (
 });
 
 test("slider, snapshot and film", { skip }, async () => {
-  // Composites are white, so that one sees which part is the camera's.
-  const white = new Uint8Array(readWhite());
+  // Composites are black, so that one sees which part is the camera's: there its white paper is.
+  const picture = { width: 320, height: 240, data: Buffer.alloc(320 * 240 * 4) };
+  const black = new Uint8Array(jpeg.encode(picture, 90).data);
   const answers = {
     ...friendly,
     cameraFrame: ({ frameId, corners }, send) =>
-      send("composite", { frameId, jpeg: white, poses: poses({ corners }), serverMs: 1 }),
+      send("composite", { frameId, jpeg: black, poses: poses({ corners }), serverMs: 1 }),
   };
-  await withPage({ answers, film: film("empty") }, async ({ page, address }) => {
+  await withPage({ answers, film: film("marker") }, async ({ page, address }) => {
     await startCamera(page, address);
     await textMatches(page, "#summary", /frames\/s/);
     const levels = () =>
@@ -86,14 +88,14 @@ test("slider, snapshot and film", { skip }, async () => {
         const context = document.getElementById("canvas").getContext("2d");
         return [40, 280].map((x) => context.getImageData(x, 120, 1, 1).data[1]);
       });
-    assert.deepEqual(await levels(), [255, 255]);
+    assert.deepEqual(await levels(), [0, 0]);
     await page.focus("#compare");
     for (let i = 0; i < 5; ++i) await page.keyboard.press("PageUp");
     const share = Number(await page.inputValue("#compare"));
     assert.ok(share > 20 && share < 80, `${share}`);
     const [left, right] = await levels();
-    assert.ok(left > 100 && left < 160, `${left}`);
-    assert.equal(right, 255);
+    assert.ok(left > 200, `${left}`);
+    assert.equal(right, 0);
 
     const snapshot = page.waitForEvent("download");
     await page.getByRole("button", { name: "Snapshot" }).click();
@@ -112,10 +114,12 @@ test("slider, snapshot and film", { skip }, async () => {
 });
 
 test("without a marker it says which one to look for", { skip }, async () => {
-  await withPage({ film: film("empty") }, async ({ page, address }) => {
+  const markers = { ...WELCOME.markers, ids: [7] }; // marker 40 is in view
+  const answers = { ...friendly, hello: (_, send) => send("welcome", { ...WELCOME, markers }) };
+  await withPage({ answers, film: film("marker") }, async ({ page, address }) => {
     await startCamera(page, address);
     await textMatches(page, "#notice-title", /No marker in view/);
-    assert.match(await page.textContent("#notice-text"), /marker 40 \(DICT_6X6_250, 50 mm wide\)/);
+    assert.match(await page.textContent("#notice-text"), /marker 7 \(DICT_6X6_250, 50 mm wide\)/);
   });
 });
 
@@ -183,8 +187,3 @@ test("a server that ends is said, and a new one is found", { skip }, async () =>
     await next.close();
   });
 });
-
-// 320x240, white.
-function readWhite() {
-  return jpeg.encode({ width: 320, height: 240, data: Buffer.alloc(320 * 240 * 4, 255) }, 90).data;
-}
