@@ -8,14 +8,14 @@
 #include <opencv2/core/utils/logger.hpp>
 #include <stdexcept>
 
-#include "client/calibration.h"
-#include "client/capture_source.h"
-#include "client/environment_message.h"
-#include "client/images_source.h"
-#include "client/messages.h"
+#include "client/link/messages.h"
 #include "client/options.h"
+#include "client/sources/capture_source.h"
+#include "client/sources/environment_message.h"
+#include "client/sources/images_source.h"
+#include "client/sources/synthetic_source.h"
 #include "client/summary.h"
-#include "client/synthetic_source.h"
+#include "client/tracking/calibration.h"
 #include "common/log.h"
 #include "common/run_program.h"
 #include "common/token_file.h"

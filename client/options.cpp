@@ -4,7 +4,7 @@
 #include <charconv>
 #include <stdexcept>
 
-#include "client/board_description.h"
+#include "client/tracking/board_description.h"
 #include "common/build_info.h"
 #include "protocol/limits.h"
 
@@ -23,7 +23,7 @@ struct BoardTexts {
   std::string file, grid, charuco;
 };
 
-std::optional<MarkerBoard> read_board(const BoardTexts& texts) {
+std::optional<tracking::MarkerBoard> read_board(const BoardTexts& texts) {
   if (!texts.file.empty()) return load_board(texts.file);
   if (!texts.grid.empty()) return parse_grid_board(texts.grid);
   if (!texts.charuco.empty()) return parse_charuco_board(texts.charuco);
@@ -118,8 +118,8 @@ common::HostPort parse_server(const std::string& text) {
   throw std::runtime_error("'" + text + "' is not HOST:PORT, as desk.example:7447 or [::1]:7447");
 }
 
-OneEuroOptions parse_smoothing(const std::string& text) {
-  OneEuroOptions options;
+tracking::OneEuroOptions parse_smoothing(const std::string& text) {
+  tracking::OneEuroOptions options;
   const char* const end = text.data() + text.size();
   auto result = std::from_chars(text.data(), end, options.min_cutoff);
   bool good = result.ec == std::errc();

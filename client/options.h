@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "client/connection.h"
+#include "client/link/connection.h"
 #include "client/viewer.h"
 
 namespace amalgam::client {
@@ -44,7 +44,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv, int& exi
 common::HostPort parse_server(const std::string& text);
 
 // "MINCUTOFF[:BETA]" of a One-Euro filter. Throws std::runtime_error.
-OneEuroOptions parse_smoothing(const std::string& text);
+tracking::OneEuroOptions parse_smoothing(const std::string& text);
 
 // "800x600" in pixels. Throws std::runtime_error.
 cv::Size parse_size(const std::string& text);

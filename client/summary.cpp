@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "client/poses_file.h"
+#include "client/tracking/poses_file.h"
 
 namespace amalgam::client {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 constexpr double kMilli = 1e3;
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-std::string smoothing_text(const SmoothingReport& report) {
+std::string smoothing_text(const tracking::SmoothingReport& report) {
   char text[240];
   std::snprintf(text, sizeof text,
                 "smoothing  jitter %.3f -> %.3f mm, %.3f -> %.3f degrees; lag %.0f ms in position, "
@@ -23,7 +23,7 @@ std::string smoothing_text(const SmoothingReport& report) {
   return text;
 }
 
-nlohmann::ordered_json smoothing_json(const std::optional<SmoothingReport>& report) {
+nlohmann::ordered_json smoothing_json(const std::optional<tracking::SmoothingReport>& report) {
   if (!report) return nullptr;
   return {{"poses", report->poses},
           {"position",

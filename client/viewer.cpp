@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "client/messages.h"
+#include "client/link/messages.h"
 #include "common/log.h"
 #include "protocol/framing.h"
 
@@ -87,7 +87,7 @@ void Viewer::send(const CapturedFrame& frame) {
   if (smoother_) poses = smoother_->smooth(std::move(poses), frame.captured_at);
   if (dead_band_) poses = dead_band_->hold(std::move(poses));
   if (!poses.empty()) summary_.last_poses = poses;
-  std::string bytes = protocol::encode(frame_message(id, frame, poses));
+  std::string bytes = protocol::encode(frame_message(id, frame.jpeg, frame.captured_at, poses));
   if (const auto replaced = connection_.send(id, std::move(bytes))) in_flight_.skipped(*replaced);
 }
 

@@ -5,31 +5,31 @@
 #include <optional>
 #include <string>
 
-#include "client/camera_source.h"
-#include "client/connection.h"
-#include "client/frame_sink.h"
-#include "client/frames_in_flight.h"
-#include "client/marker_board.h"
-#include "client/marker_tracker.h"
-#include "client/pose_dead_band.h"
-#include "client/pose_smoother.h"
+#include "client/link/connection.h"
+#include "client/link/frames_in_flight.h"
+#include "client/sinks/frame_sink.h"
+#include "client/sources/camera_source.h"
+#include "client/tracking/marker_tracker.h"
+#include "client/tracking/pose_dead_band.h"
+#include "tracking/marker_board.h"
+#include "tracking/pose_smoother.h"
 
 namespace amalgam::client {
 
 struct ViewerOptions {
-  std::uint64_t frames = 0;                   // to capture; 0: until the source ends
-  double rate = 30.0;                         // frames a second, for sources that are not live
-  bool lockstep = false;                      // wait for the answer to each frame before the next
-  std::optional<MarkerBoard> board{};         // see TrackerOptions
-  std::optional<OneEuroOptions> smoothing{};  // of all poses that are sent
-  double dead_band = 0.0;                     // pixels, after smoothing; 0: none
+  std::uint64_t frames = 0;  // to capture; 0: until the source ends
+  double rate = 30.0;        // frames a second, for sources that are not live
+  bool lockstep = false;     // wait for the answer to each frame before the next
+  std::optional<tracking::MarkerBoard> board{};         // see TrackerOptions
+  std::optional<tracking::OneEuroOptions> smoothing{};  // of all poses that are sent
+  double dead_band = 0.0;                               // pixels, after smoothing; 0: none
 };
 
 struct ViewerSummary {
   FrameCounts frames;
   LatencySummary latency;  // milliseconds
-  TrackerCounts markers;
-  std::optional<SmoothingReport> smoothing;
+  tracking::TrackerCounts markers;
+  std::optional<tracking::SmoothingReport> smoothing;
   std::uint64_t poses_held = 0;  // sent again by the dead band
   std::uint64_t reconnects = 0;
   std::uint64_t server_errors = 0;             // Errors that the session survived
@@ -72,7 +72,7 @@ class Viewer {
   const std::atomic<bool>& stop_;
   std::optional<MarkerTracker> tracker_;  // made when the server has sent its markers
   std::string markers_;                   // those markers, as received
-  std::optional<PoseSmoother> smoother_;
+  std::optional<tracking::PoseSmoother> smoother_;
   std::optional<PoseDeadBand> dead_band_;  // made with the tracker
   FramesInFlight in_flight_;
   ViewerSummary summary_;

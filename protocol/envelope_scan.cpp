@@ -104,8 +104,10 @@ void EnvelopeScan::on_length() {
     if (varint_ == 0) inside_.reset();
     return;
   }
-  if (inside_ && body_ == Envelope::kCameraFrameFieldNumber &&
-      field_ == CameraFrame::kPosesFieldNumber && ++poses_ > kMaxPoses) {
+  const bool is_marker =
+      field_ == CameraFrame::kPosesFieldNumber || field_ == CameraFrame::kCornersFieldNumber;
+  if (inside_ && body_ == Envelope::kCameraFrameFieldNumber && is_marker &&
+      ++markers_ > kMaxPoses) {
     verdict_ = Verdict::TooManyPoses;
     return;
   }

@@ -50,7 +50,7 @@ class EnvelopeScan {
   std::optional<std::uint64_t> inside_;  // bytes left of the body; nothing outside one
   int body_ = 0;                         // its field number; 0: none yet
   std::size_t small_bytes_ = 0;          // all but images
-  int poses_ = 0;
+  int markers_ = 0;                      // of a CameraFrame, as poses or as corners
   std::uint64_t frame_id_ = 0;
 };
 

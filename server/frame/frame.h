@@ -181,6 +181,7 @@ class FrameService {
     double marker_length = 0.0;  // metres
     int world_marker = 0;
     std::vector<int> ids;
+    bool operator==(const MarkerSet&) const = default;
   };
   virtual MarkerSet markers() const = 0;
 

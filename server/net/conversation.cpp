@@ -1,5 +1,6 @@
 #include "net/conversation.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "common/log.h"
@@ -64,6 +65,7 @@ void Conversation::on_hello(const protocol::Hello& hello) {
     throw;
   }
   const frame::ViewOptions options = view_options_from(hello);
+  corner_poses_.emplace(hello, options.camera);
   if (const auto busy = context_.admission.admit(options.camera, context_.service.load())) {
     context_.metrics.refused(busy->label);
     common::log_info(common::LogKind::Refusal, name() + ": refused, " + busy->reason);
@@ -101,20 +103,42 @@ void Conversation::on_camera_frame(const protocol::CameraFrame& frame) {
   const CaptureClock::Judged capture = capture_clock_.judge(frame.capture_time_us(), entry.arrival);
   if (capture.clamped) context_.metrics.capture_time_clamped();
   entry.capture_time_us = capture.time_us;
-  entry.poses = usable_poses(frame);
+  entry.poses = usable_poses(frame, entry);
 
   const bool replaced = context_.service.submit(
       *view_, entry.ticket, {.image = bytes_from(frame.jpeg()), .poses = entry.poses});
   ledger_.submit(std::move(entry), replaced);
 }
 
-std::vector<common::MarkerPose> Conversation::usable_poses(const protocol::CameraFrame& frame) {
-  PoseHold::Resolved resolved = pose_hold_.resolve(poses_from(frame), Clock::now());
-  if (!resolved.rejected.empty()) {
-    context_.metrics.pose_held_or_dropped(resolved.rejected.size());
-    answer(poses_rejected(resolved.rejected, frame.frame_id()));
+std::vector<common::MarkerPose> Conversation::usable_poses(const protocol::CameraFrame& frame,
+                                                           const FrameLedger::Entry& entry) {
+  std::vector<common::MarkerPose> poses = poses_from(frame);
+  std::vector<int> rejected;
+  if (frame.corners_size() > 0) {
+    CornerPoses::Solved solved = solve(frame, entry);
+    poses.insert(poses.end(), solved.poses.begin(), solved.poses.end());
+    rejected = std::move(solved.rejected);
+  }
+  PoseHold::Resolved resolved = pose_hold_.resolve(poses, entry.arrival);
+  rejected.insert(rejected.end(), resolved.rejected.begin(), resolved.rejected.end());
+  if (!rejected.empty()) {
+    context_.metrics.pose_held_or_dropped(rejected.size());
+    answer(poses_rejected(rejected, frame.frame_id()));
   }
   return std::move(resolved.poses);
+}
+
+CornerPoses::Solved Conversation::solve(const protocol::CameraFrame& frame,
+                                        const FrameLedger::Entry& entry) {
+  // A client without a clock leaves the capture time at 0. Times beyond what a clock can count
+  // stand still, and poses stay raw.
+  constexpr auto kLatest =
+      std::chrono::floor<std::chrono::microseconds>(Clock::time_point::max().time_since_epoch());
+  const auto time = std::min(entry.capture_time_us, static_cast<std::uint64_t>(kLatest.count()));
+  const Clock::time_point captured = frame.capture_time_us() == 0
+                                         ? entry.arrival
+                                         : Clock::time_point(std::chrono::microseconds(time));
+  return corner_poses_->solve(frame.corners(), context_.service.markers(), captured);
 }
 
 void Conversation::on_environment(const protocol::Environment& environment) {

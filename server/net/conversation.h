@@ -16,6 +16,7 @@
 #include "net/answer.h"
 #include "net/capture_clock.h"
 #include "net/client_error.h"
+#include "net/corner_poses.h"
 #include "net/environment_slot.h"
 #include "net/frame_ledger.h"
 #include "net/metrics.h"
@@ -95,7 +96,9 @@ class Conversation {
   void on_environment(const protocol::Environment& environment);
   void check_environment_right();
   void apply(std::optional<frame::EnvironmentInput> environment);
-  std::vector<common::MarkerPose> usable_poses(const protocol::CameraFrame& frame);
+  std::vector<common::MarkerPose> usable_poses(const protocol::CameraFrame& frame,
+                                               const FrameLedger::Entry& entry);
+  CornerPoses::Solved solve(const protocol::CameraFrame& frame, const FrameLedger::Entry& entry);
 
   template <typename... Args>
   std::function<void(Args...)> posting(void (Conversation::*handler)(Args...));
@@ -113,6 +116,7 @@ class Conversation {
   std::optional<frame::ViewId> view_;
   common::CameraModel camera_;
   Rights rights_;
+  std::optional<CornerPoses> corner_poses_;  // from the hello on
   PoseHold pose_hold_;
   CaptureClock capture_clock_;
   EnvironmentSlot environments_;

@@ -155,7 +155,9 @@ protocol::Envelope error_message(const ClientError& error) {
 }
 
 ClientError poses_rejected(const std::vector<int>& markers, std::uint64_t frame_id) {
-  std::string text = "poses that are not finite, not of unit length or too far, of markers";
+  std::string text =
+      "poses that are not finite, not of unit length or too far, or corners that are not four "
+      "places near the image, of markers";
   for (const int marker : markers) text.append(" ").append(std::to_string(marker));
   return {Error::POSE_REJECTED, text, frame_id};
 }

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "client/synthetic_camera.h"
+#include "client/synthetic/synthetic_camera.h"
 #include "codec/jpeg.h"
 #include "frame/default_view.h"
 #include "scene/gltf/loader.h"

@@ -7,9 +7,9 @@
 #include <thread>
 #include <vector>
 
-#include "client/calibration.h"
-#include "client/connection.h"
-#include "client/messages.h"
+#include "client/link/connection.h"
+#include "client/link/messages.h"
+#include "client/tracking/calibration.h"
 #include "faults/figure.h"
 #include "net/process_figures.h"
 #include "support/net/test_server.h"

@@ -69,6 +69,20 @@ TEST(HostileBytes, APoseBombIsNeitherKeptNorParsed) {
   EXPECT_FALSE(felt.lost);
 }
 
+TEST(HostileBytes, PosesAndCornersAreCountedTogether) {
+  TestServer server;
+  TestClient client = server.session();
+  for (const int corners : {24, 25}) {
+    Envelope frame = frame_message(static_cast<std::uint64_t>(corners));
+    for (int i = 0; i < 40; ++i) add_pose(frame, i);
+    for (int i = 0; i < corners; ++i) frame.mutable_camera_frame()->add_corners()->set_marker(i);
+    client.send(frame);
+    // 64 are looked at, and found to have no corners.
+    client.expect_error(corners == 24 ? Error::POSE_REJECTED : Error::TOO_MANY_POSES);
+    if (corners == 24) client.expect(Envelope::kComposite);
+  }
+}
+
 TEST(HostileBytes, WhatServersSendIsSmallWhenAClientSendsIt) {
   TestServer server;
   for (const char tag : {'\x42', '\x3a', '\x52'}) {  // Composite, Welcome, Error

@@ -8,9 +8,9 @@
 #include <future>
 #include <string>
 
-#include "client/calibration.h"
-#include "client/connection.h"
-#include "client/messages.h"
+#include "client/link/connection.h"
+#include "client/link/messages.h"
+#include "client/tracking/calibration.h"
 #include "faults/figure.h"
 #include "support/net/test_server.h"
 

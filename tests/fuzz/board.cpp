@@ -1,6 +1,6 @@
 // A board's layout file, or the short form of a regular board: refused with one line, or a board
 // without a defect.
-#include "client/board_description.h"
+#include "client/tracking/board_description.h"
 
 #include <stdexcept>
 

@@ -1,5 +1,5 @@
 // A calibration file: refused with one line, or a camera that can be rendered with.
-#include "client/calibration.h"
+#include "client/tracking/calibration.h"
 
 #include <stdexcept>
 

@@ -4,28 +4,14 @@
 #include <stdexcept>
 
 #include "bench/render_rig.h"
-#include "client/marker_board.h"
-#include "client/square_pose.h"
 #include "report/composites.h"
 #include "report/picture_figures.h"
+#include "tracking/square_pose.h"
 
 namespace amalgam::report {
 namespace {
 
-client::SquareCorners corners_in_picture(const common::MarkerPose& pose, double marker_length,
-                                         const common::CameraModel& camera) {
-  const auto square = client::square_marker(pose.marker, marker_length, glm::dmat4(1.0));
-  client::SquareCorners corners;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const auto pixel =
-        common::project(camera, pose.rotation * square.corners[i] + pose.translation);
-    if (!pixel) throw std::runtime_error("the camera does not see the marker");
-    corners[i] = *pixel;
-  }
-  return corners;
-}
-
-double mean_side(const client::SquareCorners& corners) {
+double mean_side(const tracking::SquareCorners& corners) {
   double sum = 0.0;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     sum += glm::distance(corners[i], corners[(i + 1) % corners.size()]);
@@ -38,14 +24,16 @@ double mean_side(const client::SquareCorners& corners) {
 common::MarkerPose noisy_pose(const common::MarkerPose& true_pose, double marker_length,
                               const common::CameraModel& camera, double noise,
                               std::mt19937_64& random) {
-  client::SquareCorners corners = corners_in_picture(true_pose, marker_length, camera);
+  const auto exact = tracking::project_square(true_pose, marker_length, camera);
+  if (!exact) throw std::runtime_error("the camera does not see the marker");
+  tracking::SquareCorners corners = *exact;
   std::normal_distribution<double> normal(0.0, noise);
   if (noise > 0.0) {
     for (glm::dvec2& corner : corners) corner += glm::dvec2(normal(random), normal(random));
   }
-  const auto solutions = client::solve_square(corners, marker_length, camera);
+  const auto solutions = tracking::solve_square(corners, marker_length, camera);
   if (solutions.empty()) throw std::runtime_error("no pose for the marker's noisy corners");
-  const auto closeness = [&](const client::PoseSolution& solution) {
+  const auto closeness = [&](const tracking::PoseSolution& solution) {
     return std::abs(glm::dot(solution.pose.rotation, true_pose.rotation));
   };
   common::MarkerPose pose =

@@ -5,7 +5,7 @@
 #include <opencv2/aruco.hpp>
 #include <stdexcept>
 
-#include "client/marker_dictionary.h"
+#include "client/tracking/marker_dictionary.h"
 
 namespace amalgam::tools {
 namespace {

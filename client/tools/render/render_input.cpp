@@ -6,9 +6,9 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
-#include "client/calibration.h"
-#include "client/marker_tracker.h"
-#include "client/poses_file.h"
+#include "client/tracking/calibration.h"
+#include "client/tracking/marker_tracker.h"
+#include "client/tracking/poses_file.h"
 #include "codec/jpeg.h"
 #include "frame/default_view.h"
 #include "scene/marker_ids.h"

@@ -5,7 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "client/poses_file.h"
+#include "client/tracking/poses_file.h"
 
 namespace amalgam::tools {
 namespace {

@@ -1,5 +1,5 @@
 // Reads a camera's calibration: OpenCV's YAML and JSON, and ROS's and Kalibr's YAML. The native
-// client reads the same (client/calibration_file.cpp) and scales them in the same way.
+// client reads the same (client/tracking/calibration_file.cpp) and scales them in the same way.
 import { DEFAULT_SCHEMA, load, Type } from "js-yaml";
 
 const opencvTypes = ["opencv-matrix", "opencv-nd-matrix"].map(

@@ -1,7 +1,7 @@
 // What is done to whole pictures, at 1280x1024.
 #include "bench/bench_case.h"
 #include "bench/micro/benchmarks.h"
-#include "client/synthetic_camera.h"
+#include "client/synthetic/synthetic_camera.h"
 #include "codec/jpeg.h"
 #include "passes/image/composite.h"
 

@@ -6,7 +6,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "client/marker_tracker.h"
+#include "client/tracking/marker_tracker.h"
 
 namespace amalgam::tools {
 namespace {

@@ -8,14 +8,14 @@
 #include <iterator>
 #include <opencv2/imgcodecs.hpp>
 
-#include "client/calibration.h"
-#include "client/images_source.h"
-#include "client/jpeg_bytes.h"
-#include "client/messages.h"
+#include "client/link/messages.h"
 #include "client/options.h"
+#include "client/sources/images_source.h"
+#include "client/sources/jpeg_bytes.h"
+#include "client/sources/synthetic_source.h"
 #include "client/summary.h"
-#include "client/synthetic_source.h"
-#include "fake_server.h"
+#include "client/tracking/calibration.h"
+#include "unit/client/link/fake_server.h"
 
 namespace amalgam::client {
 namespace {
@@ -214,7 +214,9 @@ TEST(Viewer, SmoothsPosesAndShowsAnEnvironmentsErrorWithoutLosingAFrame) {
   Connection connection(server.options(3000ms),
                         hello_message(common::default_camera(160, 120), "", 0));
   const ViewerSummary summary =
-      Viewer({.frames = 12, .lockstep = true, .smoothing = OneEuroOptions{.min_cutoff = 2.0}},
+      Viewer({.frames = 12,
+              .lockstep = true,
+              .smoothing = tracking::OneEuroOptions{.min_cutoff = 2.0}},
              common::default_camera(160, 120), source, nullptr, connection, stop)
           .run();
   EXPECT_EQ(summary.frames.composited, 12u);

@@ -1,13 +1,19 @@
 // A conversation without a socket: what is said in answer to what.
 #include "net/conversation.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
 #include <vector>
 
 #include "net/wire.h"
+#include "protocol/geometry.h"
 #include "support/net/stub_frame_service.h"
 #include "support/net/test_client.h"
+#include "tracking/square_pose.h"
 
 namespace amalgam::net {
 namespace {
@@ -66,6 +72,22 @@ class RecordingLine : public Line {
   std::deque<Step> steps_;
 };
 
+// A marker half a metre ahead that looks at the camera.
+common::MarkerPose facing(int marker, double x) {
+  return {.marker = marker, .rotation = {0.0, 1.0, 0.0, 0.0}, .translation = {x, 0.0, 0.5}};
+}
+
+void add_corners(Envelope& frame, const common::MarkerPose& pose) {
+  const common::CameraModel camera = protocol::from_message(test::hello_message().hello().camera());
+  protocol::MarkerCorners& wire = *frame.mutable_camera_frame()->add_corners();
+  wire.set_marker(pose.marker);
+  const tracking::SquareCorners corners = tracking::project_square(pose, 0.05, camera).value();
+  for (const glm::dvec2& corner : corners) {
+    wire.add_pixels(static_cast<float>(corner.x));
+    wire.add_pixels(static_cast<float>(corner.y));
+  }
+}
+
 class ConversationTest : public testing::Test {
  protected:
   // What the line's guard does with a client's mistake.
@@ -100,6 +122,94 @@ TEST_F(ConversationTest, AFrameGoesToTheRendererAndBack) {
   EXPECT_EQ(composite.composite().frame_id(), 41u);
   EXPECT_EQ(composite.composite().capture_time_us(), 41000u);
   EXPECT_EQ(composite.composite().poses_size(), 1);
+}
+
+TEST_F(ConversationTest, PosesOfCornersAreSolvedAndEchoed) {
+  hear(test::hello_message());
+  Envelope frame = test::frame_message(41);
+  add_corners(frame, facing(40, 0.02));
+  add_corners(frame, facing(23, -0.03));
+  add_corners(frame, facing(9, 0.0));  // not the scene's
+  hear(frame);
+  ASSERT_TRUE(line_.run_one());
+  ASSERT_EQ(line_.answers.size(), 1u);
+  const auto& poses = line_.answers[0].frame.poses;
+  ASSERT_EQ(poses.size(), 2u);
+  EXPECT_EQ(poses[0].marker, 23);
+  EXPECT_EQ(poses[1].marker, 40);
+  EXPECT_NEAR(glm::distance(poses[1].translation, facing(40, 0.02).translation), 0.0, 1e-4);
+}
+
+TEST_F(ConversationTest, APoseWinsOverTheCornersOfItsMarker) {
+  hear(test::hello_message());
+  Envelope frame = test::frame_message(41);
+  add_corners(frame, facing(40, 0.02));
+  *frame.mutable_camera_frame()->add_poses() = protocol::to_message(facing(40, 0.1));
+  hear(frame);
+  ASSERT_TRUE(line_.run_one());
+  ASSERT_EQ(line_.answers.size(), 1u);
+  ASSERT_EQ(line_.answers[0].frame.poses.size(), 1u);
+  EXPECT_EQ(line_.answers[0].frame.poses[0].translation.x, 0.1);
+}
+
+TEST_F(ConversationTest, CornersThatAreNoFourPlacesAreNamed) {
+  hear(test::hello_message());
+  Envelope frame = test::frame_message(41);
+  add_corners(frame, facing(40, 0.02));
+  add_corners(frame, facing(23, 0.02));
+  frame.mutable_camera_frame()->mutable_corners(0)->mutable_pixels()->RemoveLast();
+  frame.mutable_camera_frame()->mutable_corners(1)->set_pixels(3, NAN);
+  frame.mutable_camera_frame()->add_corners()->set_marker(5);
+  hear(frame);
+  ASSERT_TRUE(line_.run_one());
+  ASSERT_EQ(line_.said.size(), 2u);
+  EXPECT_EQ(line_.said[1].error().code(), Error::POSE_REJECTED);
+  EXPECT_THAT(line_.said[1].error().text(), testing::EndsWith("40 23 5"));
+  ASSERT_EQ(line_.answers.size(), 1u);
+  EXPECT_TRUE(line_.answers[0].frame.poses.empty());
+}
+
+// The same jump of a marker, raw and with a cut-off of 1 Hz at 30 frames a second.
+TEST_F(ConversationTest, SolvedPosesAreSmoothedIfTheHelloAsksForIt) {
+  Envelope hello = test::hello_message();
+  hello.mutable_hello()->mutable_smoothing()->set_min_cutoff(1.0);
+  hear(hello);
+  for (std::uint64_t i = 0; i < 2; ++i) {
+    Envelope frame = test::frame_message(i + 1);
+    frame.mutable_camera_frame()->set_capture_time_us(1'000'000 + i * 33'333);
+    add_corners(frame, facing(40, i == 0 ? 0.0 : 0.1));
+    hear(frame);
+    ASSERT_TRUE(line_.run_one());
+  }
+  ASSERT_EQ(line_.answers.size(), 2u);
+  // 2 pi f t / (1 + 2 pi f t) of the way.
+  EXPECT_NEAR(line_.answers[1].frame.poses.at(0).translation.x, 0.1 * 0.1732, 1e-3);
+}
+
+TEST_F(ConversationTest, ASmoothingThatIsNoneIsRefused) {
+  for (const auto& [cutoff, beta] :
+       {std::pair(0.0, 0.0), {-1.0, 0.0}, {1.0, -1.0}, {NAN, 0.0}, {1.0, INFINITY}, {1e9, 0.0}}) {
+    Envelope hello = test::hello_message();
+    hello.mutable_hello()->mutable_smoothing()->set_min_cutoff(cutoff);
+    hello.mutable_hello()->mutable_smoothing()->set_beta(beta);
+    RecordingLine line;
+    Conversation conversation(1, "nobody", line, context_);
+    EXPECT_THROW(conversation.visit(hello), ClientError) << cutoff << ' ' << beta;
+  }
+}
+
+// Any capture time must do: 2^64 us are more than a clock of nanoseconds can count.
+TEST_F(ConversationTest, CornersAtTheEndOfTimeAreSolvedToo) {
+  Envelope hello = test::hello_message();
+  hello.mutable_hello()->mutable_smoothing()->set_min_cutoff(1.0);
+  hear(hello);
+  Envelope frame = test::frame_message(1);
+  frame.mutable_camera_frame()->set_capture_time_us(UINT64_MAX);
+  add_corners(frame, facing(40, 0.02));
+  hear(frame);
+  ASSERT_TRUE(line_.run_one());
+  ASSERT_EQ(line_.answers.size(), 1u);
+  EXPECT_EQ(line_.answers[0].frame.poses.size(), 1u);
 }
 
 TEST_F(ConversationTest, OneFailureHasOneNumberTheClients) {

@@ -1,5 +1,5 @@
 // Moves a found marker's corners to the intersections of its edges, to a few hundredths of a pixel.
-// client/edge_refinement.h has the same method and says why: each of the four edges is measured
+// client/tracking/edge_refinement.h has the same method and says why: each of the four edges is measured
 // along its length and fitted by a line.
 
 const ITERATIONS = 3; // the first guess is off by up to a pixel

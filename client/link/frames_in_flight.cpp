@@ -1,0 +1,50 @@
+#include "client/link/frames_in_flight.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace amalgam::client {
+
+void FramesInFlight::captured(std::uint64_t id, Clock::time_point at) {
+  open_.emplace(id, at);
+  ++counts_.captured;
+}
+
+void FramesInFlight::skipped(std::uint64_t id) {
+  counts_.skipped_by_client += open_.erase(id);
+}
+
+void FramesInFlight::rejected(std::uint64_t id) {
+  counts_.rejected += open_.erase(id);
+}
+
+void FramesInFlight::composited(std::uint64_t id, bool unchanged, Clock::time_point at) {
+  const auto frame = open_.find(id);
+  if (frame == open_.end()) return;  // not ours, or answered twice
+  const std::chrono::duration<float, std::milli> latency = at - frame->second;
+  latencies_.push_back(latency.count());
+  ++counts_.composited;
+  counts_.unchanged += unchanged ? 1 : 0;
+  counts_.skipped_by_server += static_cast<std::uint64_t>(std::distance(open_.begin(), frame));
+  open_.erase(open_.begin(), std::next(frame));
+}
+
+void FramesInFlight::lost_up_to(std::uint64_t id) {
+  const auto end = open_.upper_bound(id);
+  counts_.lost += static_cast<std::uint64_t>(std::distance(open_.begin(), end));
+  open_.erase(open_.begin(), end);
+}
+
+LatencySummary FramesInFlight::latency() const {
+  if (latencies_.empty()) return {};
+  std::vector<float> sorted = latencies_;
+  std::ranges::sort(sorted);
+  // The nearest rank: the smallest value that the given share of frames does not exceed.
+  const auto rank = [&](double share) {
+    const double position = std::ceil(share * static_cast<double>(sorted.size())) - 1.0;
+    return static_cast<double>(sorted[static_cast<std::size_t>(std::max(position, 0.0))]);
+  };
+  return {.median = rank(0.5), .p95 = rank(0.95), .p99 = rank(0.99)};
+}
+
+}  // namespace amalgam::client

@@ -1,0 +1,74 @@
+#include "tracking/square_pose.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <opencv2/calib3d.hpp>
+
+#include "tracking/marker_board.h"
+
+namespace amalgam::tracking {
+namespace {
+
+// Paper is printed on one side.
+bool shows_its_face(const common::MarkerPose& pose) {
+  return glm::dot(pose.rotation * glm::dvec3(0, 0, 1), pose.translation) < 0;
+}
+
+std::vector<PoseSolution> solve_ideal(const std::vector<cv::Point2d>& corners, double length,
+                                      const common::CameraModel& camera) {
+  const double half = 0.5 * length;
+  const std::vector<cv::Point3d> marker{
+      {-half, half, 0}, {half, half, 0}, {half, -half, 0}, {-half, -half, 0}};
+  std::vector<cv::Mat> rotations, translations;
+  cv::Mat errors;
+  std::vector<PoseSolution> solutions;
+  try {
+    cv::solvePnPGeneric(marker, corners, intrinsic_matrix(camera), cv::noArray(), rotations,
+                        translations, false, cv::SOLVEPNP_IPPE_SQUARE, cv::noArray(), cv::noArray(),
+                        errors);
+  } catch (const cv::Exception&) {
+    return solutions;  // corners that are no quadrilateral
+  }
+  for (std::size_t i = 0; i < rotations.size(); ++i) {
+    const double error = errors.at<double>(static_cast<int>(i));
+    const auto solution = make_solution(rotations[i], translations[i], error);
+    if (solution && shows_its_face(solution->pose)) solutions.push_back(*solution);
+  }
+  std::ranges::stable_sort(solutions, {}, &PoseSolution::error);
+  return solutions;
+}
+
+}  // namespace
+
+std::vector<PoseSolution> solve_square(const SquareCorners& corners, double marker_length,
+                                       const common::CameraModel& camera) {
+  auto ideal = ideal_pixels(corners, camera);
+  if (!ideal) return {};
+  auto solutions = solve_ideal(*ideal, marker_length, camera);
+  if (solutions.empty()) {
+    // A marker facing the camera exactly is a turn by pi, where OpenCV's conversion to a rotation
+    // vector divides by 0 and gives none or the marker's back. A nudge far below what a corner is
+    // known to gets it out of there.
+    constexpr double kNudge = 1e-3;  // pixels
+    ideal->front().x += kNudge;
+    solutions = solve_ideal(*ideal, marker_length, camera);
+  }
+  return solutions;
+}
+
+std::optional<SquareCorners> project_square(const common::MarkerPose& camera_from_marker,
+                                            double marker_length,
+                                            const common::CameraModel& camera) {
+  const BoardMarker square = square_marker(0, marker_length, glm::dmat4(1.0));
+  SquareCorners pixels{};
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const auto pixel = common::project(
+        camera, camera_from_marker.rotation * square.corners[i] + camera_from_marker.translation);
+    if (!pixel) return std::nullopt;
+    pixels[i] = *pixel;
+  }
+  return pixels;
+}
+
+}  // namespace amalgam::tracking
