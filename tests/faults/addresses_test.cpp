@@ -70,6 +70,21 @@ TEST(Addresses, ClientsBehindAProxyAreCountedApart) {
                "as many as addresses allow");
 }
 
+TEST(Addresses, BrowsersBehindAProxyAreCountedApart) {
+  TestServer server(behind_a_proxy(), Over::WebSocket);
+  std::vector<TestClient> clients;
+  for (unsigned char address = 1; address <= 4; ++address) {
+    for (int i = 0; i < 2; ++i) {
+      clients.emplace_back(server.address(), 0, Over::WebSocket, proxy_header(address));
+      clients.back().send(hello_message());
+      clients.back().expect(Envelope::kWelcome);
+    }
+  }
+  TestClient third(server.address(), 0, Over::WebSocket, proxy_header(1));
+  EXPECT_TRUE(third.receive().value_or(Envelope()).has_busy());
+  EXPECT_THAT(server.admin("/state").body, testing::HasSubstr("10.0.0.4:12345"));
+}
+
 TEST(Addresses, AProxysHeaderMustBeOneAndMayComeSlowly) {
   TestServer server(behind_a_proxy());
   TestClient none = server.connect();

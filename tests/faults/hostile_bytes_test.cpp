@@ -8,7 +8,7 @@
 #include "faults/figure.h"
 #include "net/process_figures.h"
 #include "protocol/limits.h"
-#include "support/net/test_server.h"
+#include "support/net/each_transport.h"
 
 namespace amalgam::test {
 namespace {
@@ -16,6 +16,8 @@ namespace {
 using protocol::Envelope;
 using protocol::Error;
 using Clock = std::chrono::steady_clock;
+
+class HostileBytes : public EachTransport {};
 
 std::string with_length(const std::string& body) {
   std::string bytes;
@@ -41,8 +43,8 @@ double resident_mib() {
   return static_cast<double>(net::read_process_figures().resident_bytes) / (1024.0 * 1024.0);
 }
 
-TEST(HostileBytes, APoseBombIsNeitherKeptNorParsed) {
-  TestServer server;
+TEST_P(HostileBytes, APoseBombIsNeitherKeptNorParsed) {
+  TestServer server(test_config(), GetParam());
   ControlClient control(server.server().address());
   TestClient bomber = server.session();
   const std::string bomb = pose_bomb(2'000'000);
@@ -69,8 +71,8 @@ TEST(HostileBytes, APoseBombIsNeitherKeptNorParsed) {
   EXPECT_FALSE(felt.lost);
 }
 
-TEST(HostileBytes, PosesAndCornersAreCountedTogether) {
-  TestServer server;
+TEST_P(HostileBytes, PosesAndCornersAreCountedTogether) {
+  TestServer server(test_config(), GetParam());
   TestClient client = server.session();
   for (const int corners : {24, 25}) {
     Envelope frame = frame_message(static_cast<std::uint64_t>(corners));
@@ -83,8 +85,8 @@ TEST(HostileBytes, PosesAndCornersAreCountedTogether) {
   }
 }
 
-TEST(HostileBytes, WhatServersSendIsSmallWhenAClientSendsIt) {
-  TestServer server;
+TEST_P(HostileBytes, WhatServersSendIsSmallWhenAClientSendsIt) {
+  TestServer server(test_config(), GetParam());
   for (const char tag : {'\x42', '\x3a', '\x52'}) {  // Composite, Welcome, Error
     TestClient client = server.session();
     const std::string body = std::string(1, tag) + varint(1'000'000) + std::string(100, 'x');
@@ -94,8 +96,8 @@ TEST(HostileBytes, WhatServersSendIsSmallWhenAClientSendsIt) {
   }
 }
 
-TEST(HostileBytes, OnlyImagesAreLarge) {
-  TestServer server;
+TEST_P(HostileBytes, OnlyImagesAreLarge) {
+  TestServer server(test_config(), GetParam());
   TestClient client = server.session();
   // An unknown field of a frame, before any image.
   const std::string frame = "\x7a" + varint(1'000'000) + std::string(1'000'000, 'x');
@@ -103,8 +105,8 @@ TEST(HostileBytes, OnlyImagesAreLarge) {
   client.expect_error(Error::PROTOCOL_ERROR);
 }
 
-TEST(HostileBytes, AnEnvelopeHasOneBody) {
-  TestServer server;
+TEST_P(HostileBytes, AnEnvelopeHasOneBody) {
+  TestServer server(test_config(), GetParam());
   Envelope ping;
   ping.mutable_ping()->set_nonce(1);
   const std::string two = frame_message(1).SerializeAsString() + ping.SerializeAsString();
@@ -117,8 +119,8 @@ TEST(HostileBytes, AnEnvelopeHasOneBody) {
   again.expect_error(Error::PROTOCOL_ERROR);
 }
 
-TEST(HostileBytes, LengthsAllocateNothing) {
-  TestServer server;
+TEST_P(HostileBytes, LengthsAllocateNothing) {
+  TestServer server(test_config(), GetParam());
   std::vector<TestClient> clients;
   for (int i = 0; i < 12; ++i) clients.push_back(server.session());
   const double before = resident_mib();
@@ -131,6 +133,8 @@ TEST(HostileBytes, LengthsAllocateNothing) {
   print_figure("4", "memory for 12 announced frames grew by", grown, "MiB", "below 64 KiB each");
   EXPECT_LT(grown, 4.0);
 }
+
+INSTANTIATE_TEST_SUITE_P(Over, HostileBytes, kEachTransport, transport_name);
 
 }  // namespace
 }  // namespace amalgam::test

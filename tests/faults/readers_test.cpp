@@ -7,7 +7,7 @@
 
 #include "faults/control_client.h"
 #include "faults/figure.h"
-#include "support/net/test_server.h"
+#include "support/net/each_transport.h"
 
 namespace amalgam::test {
 namespace {
@@ -15,11 +15,13 @@ namespace {
 using protocol::Envelope;
 using Clock = std::chrono::steady_clock;
 
-TEST(Readers, WhoStopsFindsTwoFramesAndIsEvicted) {
+class Readers : public EachTransport {};
+
+TEST_P(Readers, WhoStopsFindsTwoFramesAndIsEvicted) {
   net::ServerConfig config = test_config();
   // A third of the real time, to keep the test short; the ratio is what is promised.
   config.session.write_timeout = std::chrono::milliseconds(1500);
-  TestServer server(config);
+  TestServer server(config, GetParam());
   ControlClient control(server.server().address());
   TestClient client = server.session();  // with the kernel's own buffers, which take megabytes
   const std::string jpeg(50'000, 'j');
@@ -47,10 +49,10 @@ TEST(Readers, WhoStopsFindsTwoFramesAndIsEvicted) {
 }
 
 // Being slow is no reason to be evicted: each pong opens the way for the next frame.
-TEST(Readers, WhoReadsSlowlyGetsTheNewest) {
+TEST_P(Readers, WhoReadsSlowlyGetsTheNewest) {
   net::ServerConfig config = test_config();
   config.session.write_timeout = std::chrono::milliseconds(1000);
-  TestServer server(config);
+  TestServer server(config, GetParam());
   TestClient client = server.session();
   std::uint64_t sent = 0, last = 0, received = 0;
   const auto begin = Clock::now();
@@ -64,6 +66,8 @@ TEST(Readers, WhoReadsSlowlyGetsTheNewest) {
   // Two on their way, one waiting, one being rendered, and five just sent.
   EXPECT_LE(sent - last, 15u);
 }
+
+INSTANTIATE_TEST_SUITE_P(Over, Readers, kEachTransport, transport_name);
 
 }  // namespace
 }  // namespace amalgam::test

@@ -12,7 +12,9 @@
 #include "client/link/messages.h"
 #include "client/tracking/calibration.h"
 #include "faults/figure.h"
+#include "protocol/client_tls.h"
 #include "support/net/test_server.h"
+#include "support/net/web_wire.h"
 
 namespace amalgam::test {
 namespace {
@@ -150,6 +152,32 @@ TEST_F(Tls, ANewCertificateIsForNewConnections) {
   const auto event = old.wait(milliseconds(10'000));
   ASSERT_TRUE(event);
   EXPECT_TRUE(std::holds_alternative<client::Composited>(*event));
+}
+
+TEST_F(Tls, BrowsersGetPageAndSessionThroughIt) {
+  TestServer server(config_, Over::WebSocket);
+  TestClient socket(server.address());
+  WebWire wire(socket.handle(), server.address(), "https://" + to_string(server.address()),
+               protocol::client_tls((folder_ / "a" / "server.crt").string()));
+  wire.write(hello_message().SerializeAsString());
+  for (std::uint64_t id = 1; id <= 3; ++id) {
+    wire.write(frame_message(id, std::string(100'000, 'j')).SerializeAsString());
+  }
+  protocol::Envelope envelope;
+  std::uint64_t last = 0;
+  bool welcomed = false;
+  while (last != 3) {
+    const std::optional<std::string> message = wire.read();
+    ASSERT_TRUE(message);
+    ASSERT_TRUE(envelope.ParseFromString(*message));
+    welcomed = welcomed || envelope.has_welcome();
+    if (!envelope.has_composite()) continue;
+    EXPECT_EQ(envelope.composite().jpeg().size(), 100'000u);
+    last = envelope.composite().frame_id();
+  }
+  EXPECT_TRUE(welcomed);
+  // In clear there is neither a page nor a session.
+  EXPECT_EQ(http_get(server.address(), "/").status, 0);
 }
 
 TEST_F(Tls, FilesThatDoNotBelongTogetherAreRefusedAtStart) {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "protocol/limits.h"
-#include "support/net/test_server.h"
+#include "support/net/each_transport.h"
 
 namespace amalgam::test {
 namespace {
@@ -17,8 +17,10 @@ using protocol::Envelope;
 using protocol::Error;
 using testing::ElementsAre;
 
-TEST(Conversation, WelcomeSaysLimitsAndMarkers) {
-  TestServer server;
+class Conversation : public EachTransport {};
+
+TEST_P(Conversation, WelcomeSaysLimitsAndMarkers) {
+  TestServer server(test_config(), GetParam());
   TestClient client = server.connect();
   client.send(hello_message());
   const protocol::Welcome welcome = client.expect(Envelope::kWelcome).welcome();
@@ -30,8 +32,8 @@ TEST(Conversation, WelcomeSaysLimitsAndMarkers) {
   EXPECT_THAT(welcome.markers().ids(), ElementsAre(40, 23));
 }
 
-TEST(Conversation, FramesComeBackAsComposites) {
-  TestServer server;
+TEST_P(Conversation, FramesComeBackAsComposites) {
+  TestServer server(test_config(), GetParam());
   TestClient client = server.session();
   for (std::uint64_t id = 10; id < 20; ++id) {
     Envelope frame = frame_message(id, "jpeg " + std::to_string(id));
@@ -55,8 +57,8 @@ TEST(Conversation, FramesComeBackAsComposites) {
   }
 }
 
-TEST(Conversation, ClientsAreServedSideBySide) {
-  TestServer server;
+TEST_P(Conversation, ClientsAreServedSideBySide) {
+  TestServer server(test_config(), GetParam());
   std::vector<TestClient> clients;
   for (int i = 0; i < 8; ++i) clients.push_back(server.session());
   for (std::uint64_t round = 0; round < 5; ++round) {
@@ -70,8 +72,8 @@ TEST(Conversation, ClientsAreServedSideBySide) {
   }
 }
 
-TEST(Conversation, TheNewestFrameWinsAndTheOthersAreCounted) {
-  TestServer server;
+TEST_P(Conversation, TheNewestFrameWinsAndTheOthersAreCounted) {
+  TestServer server(test_config(), GetParam());
   TestClient client = server.session();
   server.service.hold();
   client.send(frame_message(1));
@@ -85,8 +87,8 @@ TEST(Conversation, TheNewestFrameWinsAndTheOthersAreCounted) {
   EXPECT_EQ(last.skipped(), 8u);
 }
 
-TEST(Conversation, PingIsAnsweredWithItsNonce) {
-  TestServer server;
+TEST_P(Conversation, PingIsAnsweredWithItsNonce) {
+  TestServer server(test_config(), GetParam());
   TestClient client = server.session();
   Envelope ping;
   ping.mutable_ping()->set_nonce(77);
@@ -94,8 +96,8 @@ TEST(Conversation, PingIsAnsweredWithItsNonce) {
   EXPECT_EQ(client.expect(Envelope::kPong).pong().nonce(), 77u);
 }
 
-TEST(Conversation, AStreamInAnyPiecesMeansTheSame) {
-  TestServer server;
+TEST_P(Conversation, AStreamInAnyPiecesMeansTheSame) {
+  TestServer server(test_config(), GetParam());
   std::string stream = protocol::encode(hello_message());
   for (std::uint64_t id = 1; id <= 3; ++id) {
     Envelope ping;
@@ -114,8 +116,8 @@ TEST(Conversation, AStreamInAnyPiecesMeansTheSame) {
   }
 }
 
-TEST(Conversation, GoodbyeEndsTheSession) {
-  TestServer server;
+TEST_P(Conversation, GoodbyeEndsTheSession) {
+  TestServer server(test_config(), GetParam());
   TestClient client = server.session();
   ASSERT_TRUE(server.service.wait_views(1));
   Envelope goodbye;
@@ -125,8 +127,8 @@ TEST(Conversation, GoodbyeEndsTheSession) {
   EXPECT_TRUE(server.service.wait_views(0));
 }
 
-TEST(Conversation, AFrameInFlightWhenTheClientVanishesIsDropped) {
-  TestServer server;
+TEST_P(Conversation, AFrameInFlightWhenTheClientVanishesIsDropped) {
+  TestServer server(test_config(), GetParam());
   server.service.hold();
   {
     TestClient client = server.session();
@@ -140,10 +142,10 @@ TEST(Conversation, AFrameInFlightWhenTheClientVanishesIsDropped) {
   EXPECT_EQ(next.expect(Envelope::kComposite).composite().frame_id(), 2u);
 }
 
-TEST(Conversation, ABadPoseIsToldAndTheLastGoodOneHeld) {
+TEST_P(Conversation, ABadPoseIsToldAndTheLastGoodOneHeld) {
   net::ServerConfig config = test_config();
   config.session.pose_hold = std::chrono::minutes(1);  // the machine may be slow
-  TestServer server(config);
+  TestServer server(config, GetParam());
   TestClient client = server.session();
   Envelope good = frame_message(1);
   add_pose(good, 40, 0.75);
@@ -163,7 +165,7 @@ TEST(Conversation, ABadPoseIsToldAndTheLastGoodOneHeld) {
   EXPECT_EQ(composite.poses(0).translation().z(), 0.75);
 }
 
-TEST(Conversation, ALostMarkerIsHeldAndThenTheImageComesBackUnchanged) {
+TEST(Holding, ALostMarkerIsHeldAndThenTheImageComesBackUnchanged) {
   net::ServerConfig config = test_config();
   config.session.pose_hold = std::chrono::milliseconds(2000);  // the machine may be slow
   TestServer server(config);
@@ -192,8 +194,8 @@ TEST(Conversation, ALostMarkerIsHeldAndThenTheImageComesBackUnchanged) {
   EXPECT_GE(std::chrono::steady_clock::now() - seen, config.session.pose_hold);
 }
 
-TEST(Conversation, WhatOneFrameDidWrongDoesNotEndTheSession) {
-  TestServer server;
+TEST_P(Conversation, WhatOneFrameDidWrongDoesNotEndTheSession) {
+  TestServer server(test_config(), GetParam());
   TestClient client = server.session();
   client.send(frame_message(1, kBadJpeg));
   EXPECT_EQ(client.expect_error(Error::BAD_IMAGE).frame_id(), 1u);
@@ -212,16 +214,18 @@ TEST(Conversation, WhatOneFrameDidWrongDoesNotEndTheSession) {
   EXPECT_EQ(composite.skipped(), 2u);
 }
 
-TEST(Conversation, TheTokenAdmits) {
+TEST_P(Conversation, TheTokenAdmits) {
   net::ServerConfig config = test_config();
   config.grants = {{"opensesame", {.view = true, .environment = true}}};
-  TestServer server(config);
+  TestServer server(config, GetParam());
   TestClient client = server.connect();
   Envelope hello = hello_message();
   hello.mutable_hello()->set_token("opensesame");
   client.send(hello);
   client.expect(Envelope::kWelcome);
 }
+
+INSTANTIATE_TEST_SUITE_P(Over, Conversation, kEachTransport, transport_name);
 
 }  // namespace
 }  // namespace amalgam::test

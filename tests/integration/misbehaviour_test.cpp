@@ -6,13 +6,15 @@
 #include <vector>
 
 #include "protocol/limits.h"
-#include "support/net/test_server.h"
+#include "support/net/each_transport.h"
 
 namespace amalgam::test {
 namespace {
 
 using protocol::Envelope;
 using protocol::Error;
+
+class Misbehaviour : public EachTransport {};
 
 // The client is told this code and closed, and its view is gone.
 void expect_refused(TestServer& server, TestClient& client, Error::Code code) {
@@ -29,8 +31,14 @@ std::string length_prefix(std::uint32_t length) {
   return bytes;
 }
 
-TEST(Misbehaviour, BeforeTheHello) {
-  TestServer server;
+// Behind a length that is refused: WebSocket tells of a message only when it has begun.
+std::string beginning(Over over) {
+  return over == Over::WebSocket ? "\x12" : "";
+}
+
+TEST_P(Misbehaviour, BeforeTheHello) {
+  TestServer server(test_config(), GetParam());
+  const std::string more = beginning(GetParam());
   struct Row {
     const char* name;
     std::string bytes;
@@ -56,9 +64,9 @@ TEST(Misbehaviour, BeforeTheHello) {
       {"unknown kind", length_prefix(3) + "\x7a\x01x", Error::UNKNOWN_MESSAGE},
       {"no envelope", length_prefix(3) + "\xff\xff\xff", Error::PROTOCOL_ERROR},
       {"length 0", length_prefix(0), Error::PROTOCOL_ERROR},
-      {"length above the limit", length_prefix(4097), Error::PROTOCOL_ERROR},
-      {"length 2^31", length_prefix(0x80000000u), Error::PROTOCOL_ERROR},
-      {"length 2^32 - 1", length_prefix(0xffffffffu), Error::PROTOCOL_ERROR},
+      {"length above the limit", length_prefix(4097) + more, Error::PROTOCOL_ERROR},
+      {"length 2^31", length_prefix(0x80000000u) + more, Error::PROTOCOL_ERROR},
+      {"length 2^32 - 1", length_prefix(0xffffffffu) + more, Error::PROTOCOL_ERROR},
       {"HTTP", "GET / HTTP/1.1\r\n\r\n", Error::PROTOCOL_ERROR}};
   for (const Row& row : rows) {
     SCOPED_TRACE(row.name);
@@ -69,8 +77,9 @@ TEST(Misbehaviour, BeforeTheHello) {
   EXPECT_EQ(server.service.opened(), 0u);
 }
 
-TEST(Misbehaviour, AfterTheHello) {
-  TestServer server;
+TEST_P(Misbehaviour, AfterTheHello) {
+  TestServer server(test_config(), GetParam());
+  const std::string more = beginning(GetParam());
   struct Row {
     const char* name;
     std::string bytes;
@@ -86,7 +95,7 @@ TEST(Misbehaviour, AfterTheHello) {
       {"unknown kind", length_prefix(3) + "\x7a\x01x", Error::UNKNOWN_MESSAGE},
       {"large control message", encode(large_hello), Error::PROTOCOL_ERROR},
       {"length 0", length_prefix(0), Error::PROTOCOL_ERROR},
-      {"length above the limit", length_prefix(protocol::kMaxCameraFrameBytes + 1),
+      {"length above the limit", length_prefix(protocol::kMaxCameraFrameBytes + 1) + more,
        Error::PROTOCOL_ERROR},
       {"the renderer fails", encode(frame_message(1, kCrashJpeg)), Error::INTERNAL}};
   for (const Row& row : rows) {
@@ -97,15 +106,15 @@ TEST(Misbehaviour, AfterTheHello) {
   }
 }
 
-TEST(Misbehaviour, InternalErrorsKeepTheirDetailsToTheLog) {
-  TestServer server;
+TEST_P(Misbehaviour, InternalErrorsKeepTheirDetailsToTheLog) {
+  TestServer server(test_config(), GetParam());
   TestClient client = server.session();
   client.send(frame_message(1, kCrashJpeg));
   EXPECT_EQ(client.expect_error(Error::INTERNAL).text().find("secret"), std::string::npos);
 }
 
-TEST(Misbehaviour, TheErrorArrivesEvenIfTheClientKeepsSending) {
-  TestServer server;
+TEST_P(Misbehaviour, TheErrorArrivesEvenIfTheClientKeepsSending) {
+  TestServer server(test_config(), GetParam());
   TestClient client = server.session();
   client.send_bytes(length_prefix(protocol::kMaxCameraFrameBytes + 1));
   // Without reading to the end, the server's close would reset the connection under these bytes.
@@ -113,10 +122,10 @@ TEST(Misbehaviour, TheErrorArrivesEvenIfTheClientKeepsSending) {
   client.expect_error(Error::PROTOCOL_ERROR);
 }
 
-TEST(Misbehaviour, WrongOrMissingTokensAreRefused) {
+TEST_P(Misbehaviour, WrongOrMissingTokensAreRefused) {
   net::ServerConfig config = test_config();
   config.grants = {{"opensesame", {.view = true, .environment = true}}};
-  TestServer server(config);
+  TestServer server(config, GetParam());
   for (const std::string token : {"", "opensesamf", "opensesam", "opensesame "}) {
     TestClient client = server.connect();
     Envelope hello = hello_message();
@@ -127,9 +136,9 @@ TEST(Misbehaviour, WrongOrMissingTokensAreRefused) {
   EXPECT_EQ(server.service.opened(), 0u);
 }
 
-TEST(Misbehaviour, AStreamCutAtAnyByteHarmsNobody) {
+TEST_P(Misbehaviour, AStreamCutAtAnyByteHarmsNobody) {
   net::ServerConfig config = test_config();
-  TestServer server(config);
+  TestServer server(config, GetParam());
   TestClient healthy = server.session();
   Envelope frame = frame_message(1);
   add_pose(frame, 40);
@@ -146,21 +155,30 @@ TEST(Misbehaviour, AStreamCutAtAnyByteHarmsNobody) {
   EXPECT_TRUE(server.service.wait_views(1));
 }
 
-TEST(Misbehaviour, ConnectionsAboveACapAreRefusedAndMayComeBack) {
+TEST_P(Misbehaviour, ConnectionsAboveACapAreRefusedAndMayComeBack) {
   net::ServerConfig config = test_config();
   config.connections.per_address = 2;
-  TestServer server(config);
+  TestServer server(config, GetParam());
   std::vector<TestClient> clients;
   clients.push_back(server.session());
   clients.push_back(server.session());
-  TestClient refused = server.connect();
-  EXPECT_GT(refused.expect(Envelope::kBusy).busy().retry_after_ms(), 0u);
-  EXPECT_TRUE(refused.closed_by_server());
+  if (GetParam() == Over::WebSocket) {
+    // Refused before it has asked for a session, so in HTTP.
+    const HttpAnswer answer = http_exchange(server.address(), "");
+    EXPECT_EQ(answer.status, 503);
+    EXPECT_NE(answer.head.find("Retry-After: 2"), std::string::npos) << answer.head;
+  } else {
+    TestClient refused = server.connect();
+    EXPECT_GT(refused.expect(Envelope::kBusy).busy().retry_after_ms(), 0u);
+    EXPECT_TRUE(refused.closed_by_server());
+  }
   EXPECT_EQ(server.service.opened(), 2u);
   clients.clear();
   ASSERT_TRUE(server.service.wait_views(0));
   server.session();
 }
+
+INSTANTIATE_TEST_SUITE_P(Over, Misbehaviour, kEachTransport, transport_name);
 
 }  // namespace
 }  // namespace amalgam::test

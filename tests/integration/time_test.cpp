@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "protocol/limits.h"
-#include "support/net/test_server.h"
+#include "support/net/each_transport.h"
 
 namespace amalgam::test {
 namespace {
@@ -17,10 +17,12 @@ using protocol::Error;
 using std::chrono::milliseconds;
 using Clock = std::chrono::steady_clock;
 
-TEST(Time, AHelloThatDoesNotComeOrComesBitByBit) {
+class Time : public EachTransport {};
+
+TEST_P(Time, AHelloThatDoesNotComeOrComesBitByBit) {
   net::ServerConfig config = test_config();
   config.session.hello_timeout = milliseconds(300);
-  TestServer server(config);
+  TestServer server(config, GetParam());
   const auto begin = Clock::now();
   TestClient silent = server.connect();
   TestClient dripping = server.connect();
@@ -34,10 +36,10 @@ TEST(Time, AHelloThatDoesNotComeOrComesBitByBit) {
   EXPECT_TRUE(silent.closed_by_server());
 }
 
-TEST(Time, AMessageThatDoesNotEnd) {
+TEST_P(Time, AMessageThatDoesNotEnd) {
   net::ServerConfig config = test_config();
   config.session.message_timeout = milliseconds(300);
-  TestServer server(config);
+  TestServer server(config, GetParam());
   TestClient client = server.session();
   const std::string frame = protocol::encode(frame_message(1, std::string(1000, 'j')));
   client.send_bytes(frame.substr(0, 500));
@@ -45,11 +47,11 @@ TEST(Time, AMessageThatDoesNotEnd) {
   EXPECT_TRUE(client.closed_by_server());
 }
 
-TEST(Time, AMessageThatComesTooSlowly) {
+TEST_P(Time, AMessageThatComesTooSlowly) {
   net::ServerConfig config = test_config();
   config.session.rate_grace = milliseconds(200);
   config.session.ping_interval = milliseconds(100);  // how often the rate is looked at
-  TestServer server(config);
+  TestServer server(config, GetParam());
   TestClient client = server.session();
   const auto begin = Clock::now();
   const std::string frame = protocol::encode(frame_message(1, std::string(1000, 'j')));
@@ -58,11 +60,11 @@ TEST(Time, AMessageThatComesTooSlowly) {
   EXPECT_LT(Clock::now() - begin, config.session.message_timeout);
 }
 
-TEST(Time, PingsKeepAQuietClient) {
+TEST_P(Time, PingsKeepAQuietClient) {
   net::ServerConfig config = test_config();
   config.session.ping_interval = milliseconds(50);
   config.session.idle_timeout = milliseconds(2000);
-  TestServer server(config);
+  TestServer server(config, GetParam());
   TestClient client = server.session();
   // Reading answers the pings; the frame that ends the reading comes after more than the time-out.
   std::thread later([&] {
@@ -74,11 +76,11 @@ TEST(Time, PingsKeepAQuietClient) {
   EXPECT_GE(client.pings(), 5u);
 }
 
-TEST(Time, SilenceEndsTheSession) {
+TEST_P(Time, SilenceEndsTheSession) {
   net::ServerConfig config = test_config();
   config.session.ping_interval = milliseconds(50);
   config.session.idle_timeout = milliseconds(300);
-  TestServer server(config);
+  TestServer server(config, GetParam());
   TestClient client = server.session();
   client.answer_pings(false);
   client.expect_error(Error::IDLE_TIMEOUT);
@@ -86,11 +88,11 @@ TEST(Time, SilenceEndsTheSession) {
   EXPECT_TRUE(server.service.wait_views(0));
 }
 
-TEST(Time, AReaderThatStopsIsEvicted) {
+TEST_P(Time, AReaderThatStopsIsEvicted) {
   net::ServerConfig config = test_config();
   config.session.ping_interval = milliseconds(50);
   config.session.write_timeout = milliseconds(500);
-  TestServer server(config);
+  TestServer server(config, GetParam());
   TestClient client = server.connect(4096);
   client.send(hello_message());
   client.expect(Envelope::kWelcome);
@@ -102,6 +104,8 @@ TEST(Time, AReaderThatStopsIsEvicted) {
   EXPECT_NE(server.admin("/metrics").body.find("amalgam_errors_total{code=\"SLOW_READER\"} 1"),
             std::string::npos);
 }
+
+INSTANTIATE_TEST_SUITE_P(Over, Time, kEachTransport, transport_name);
 
 }  // namespace
 }  // namespace amalgam::test

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "protocol/limits.h"
+#include "support/net/web_wire.h"
 
 namespace amalgam::test {
 namespace {
@@ -53,11 +54,16 @@ std::string take_all(int handle) {
 
 }  // namespace
 
-TestClient::TestClient(const common::HostPort& server, int receive_buffer)
-    : socket_(connect_to(server, receive_buffer)) {}
+TestClient::TestClient(const common::HostPort& server, int receive_buffer, Over over,
+                       const std::string& first)
+    : socket_(connect_to(server, receive_buffer)) {
+  send_raw(first);
+  if (over == Over::WebSocket) web_ = std::make_unique<WebWire>(socket_, server);
+}
 
 TestClient::TestClient(TestClient&& other) noexcept
     : socket_(std::exchange(other.socket_, -1)),
+      web_(std::move(other.web_)),
       decoder_(std::move(other.decoder_)),
       received_(std::move(other.received_)),
       answer_pings_(other.answer_pings_),
@@ -67,7 +73,11 @@ TestClient::~TestClient() {
   if (socket_ >= 0) ::close(socket_);
 }
 
-bool TestClient::send_bytes(std::string_view bytes) {
+bool TestClient::send_bytes(std::string_view stream) {
+  return send_raw(web_ ? std::string_view(web_->frames_of(stream)) : stream);
+}
+
+bool TestClient::send_raw(std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t sent = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
     if (sent <= 0) return false;
@@ -80,7 +90,30 @@ void TestClient::finish_sending() {
   ::shutdown(socket_, SHUT_WR);
 }
 
+std::size_t TestClient::receive_raw(std::size_t most, char* bytes) {
+  std::string ignored(bytes ? 0 : most, '\0');
+  const ssize_t size = ::recv(socket_, bytes ? bytes : ignored.data(), most, 0);
+  if (size < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) {
+    throw std::runtime_error("nothing came for ten seconds");
+  }
+  return size > 0 ? static_cast<std::size_t>(size) : 0;
+}
+
+int TestClient::web_close_code() const {
+  return web_ ? web_->close_code() : 0;
+}
+
+bool TestClient::fill_from_web() {
+  const std::optional<std::string> message = web_->read();
+  if (!message) return false;
+  Envelope envelope;
+  if (!envelope.ParseFromString(*message)) throw std::runtime_error("the server sent garbage");
+  received_.push_back(std::move(envelope));
+  return true;
+}
+
 bool TestClient::fill() {
+  if (web_) return fill_from_web();
   std::array<std::byte, 64 * 1024> buffer;
   const ssize_t size = ::recv(socket_, buffer.data(), buffer.size(), 0);
   if (size < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) {
@@ -180,8 +213,11 @@ std::string read_to_end(const common::HostPort& server) {
 
 HttpAnswer http_get(const common::HostPort& server, const std::string& path,
                     const std::string& method) {
+  return http_exchange(server, method + " " + path + " HTTP/1.0\r\nHost: test\r\n\r\n");
+}
+
+HttpAnswer http_exchange(const common::HostPort& server, const std::string& request) {
   const int handle = connect_to(server, 0);
-  const std::string request = method + " " + path + " HTTP/1.0\r\nHost: test\r\n\r\n";
   ::send(handle, request.data(), request.size(), MSG_NOSIGNAL);
   const std::string text = take_all(handle);
   HttpAnswer answer;

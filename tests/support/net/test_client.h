@@ -3,6 +3,7 @@
 #pragma once
 
 #include <deque>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,17 +13,26 @@
 
 namespace amalgam::test {
 
+class WebWire;
+
+enum class Over { Tcp, WebSocket };
+
 class TestClient {
  public:
-  // receive_buffer: SO_RCVBUF in bytes; 0 leaves it to the kernel.
-  explicit TestClient(const common::HostPort& server, int receive_buffer = 0);
+  // receive_buffer: SO_RCVBUF in bytes; 0 leaves it to the kernel. first: bytes before all others.
+  // Over WebSocket, throws std::runtime_error if the server does not want it.
+  explicit TestClient(const common::HostPort& server, int receive_buffer = 0, Over over = Over::Tcp,
+                      const std::string& first = "");
   TestClient(TestClient&& other) noexcept;
   TestClient& operator=(TestClient&&) = delete;
   ~TestClient();
 
   // False if the server has closed.
   bool send(const protocol::Envelope& envelope) { return send_bytes(protocol::encode(envelope)); }
-  bool send_bytes(std::string_view bytes);
+  // Of a stream of Envelopes with lengths, which becomes WebSocket's frames where due.
+  bool send_bytes(std::string_view stream);
+  // Exactly these.
+  bool send_raw(std::string_view bytes);
   void finish_sending();
 
   // The next message that is not a Ping (those are answered, unless told not to); nothing at the
@@ -35,13 +45,21 @@ class TestClient {
   // True if the server closes without saying anything more.
   bool closed_by_server() { return !receive().has_value(); }
 
+  // What comes next as bytes, instead of receive(): their number, 0 at the end.
+  std::size_t receive_raw(std::size_t most, char* bytes = nullptr);
+  int handle() const { return socket_; }
+  // With which the server closed a WebSocket; 0: it did not.
+  int web_close_code() const;
+
   void answer_pings(bool answer) { answer_pings_ = answer; }
   std::size_t pings() const { return pings_; }
 
  private:
   bool fill();
+  bool fill_from_web();
 
   int socket_ = -1;
+  std::unique_ptr<WebWire> web_;
   protocol::Decoder decoder_{protocol::limits_of_client()};
   std::deque<protocol::Envelope> received_;
   bool answer_pings_ = true;
@@ -61,6 +79,7 @@ struct HttpAnswer {
   int status = 0;
   std::string head, body;
 };
+HttpAnswer http_exchange(const common::HostPort& server, const std::string& request);
 HttpAnswer http_get(const common::HostPort& server, const std::string& path,
                     const std::string& method = "GET");
 

@@ -16,9 +16,16 @@ inline net::ServerConfig test_config() {
   return config;
 }
 
+inline net::ServerConfig with_web(net::ServerConfig config) {
+  config.web = common::HostPort{"127.0.0.1", 0};
+  return config;
+}
+
 class TestServer {
  public:
-  explicit TestServer(const net::ServerConfig& config = test_config()) : server_(config) {
+  // over: how connect() and session() reach it.
+  explicit TestServer(const net::ServerConfig& config = test_config(), Over over = Over::Tcp)
+      : over_(over), server_(over == Over::WebSocket ? with_web(config) : config) {
     server_.serve(service);
   }
   ~TestServer() {
@@ -27,7 +34,11 @@ class TestServer {
   }
 
   TestClient connect(int receive_buffer = 0) {
-    return TestClient(server_.address(), receive_buffer);
+    return TestClient(address(), receive_buffer, over_);
+  }
+  // Where its transport is spoken.
+  common::HostPort address() const {
+    return over_ == Over::WebSocket ? server_.web_address().value() : server_.address();
   }
   // Past its hello.
   TestClient session() {
@@ -44,6 +55,7 @@ class TestServer {
   StubFrameService service;
 
  private:
+  Over over_;
   net::Server server_;
   std::thread thread_{[this] { server_.run(); }};
 };

@@ -185,5 +185,68 @@ TEST(Framing, UnknownBodiesAreEnvelopesWithoutABody) {
   EXPECT_EQ(envelopes[0].body_case(), Envelope::BODY_NOT_SET);
 }
 
+// --- messages of a transport that marks their ends ---
+
+Decoder::Result next_part(Decoder& decoder, const std::string& bytes, const Decoder::Part& part) {
+  auto input = as_bytes(bytes);
+  return decoder.next_part(input, part);
+}
+
+TEST(Framing, PartsOfAMessageMakeTheSameEnvelopeAndCountTheSame) {
+  Decoder decoder(limits_of_server());
+  const std::string body = frame_of(1000).SerializeAsString();
+  for (int message = 0; message < 2; ++message) {
+    for (std::size_t i = 0; i + 1 < body.size(); i += 100) {
+      const std::string piece = body.substr(i, 100);
+      const bool last = i + 100 >= body.size();
+      const auto result = next_part(decoder, piece, {.at_least_left = 0, .last = last});
+      ASSERT_EQ(std::holds_alternative<Envelope>(result), last);
+      EXPECT_EQ(decoder.bytes_of_unfinished(), last ? 0 : kLengthBytes + i + piece.size());
+      if (last) EXPECT_EQ(std::get<Envelope>(result).SerializeAsString(), body);
+    }
+  }
+}
+
+// A frame that says how long it is, is refused with its first byte.
+TEST(Framing, WhatFollowsAPartCounts) {
+  const std::string hello("\x0a"), frame("\x12");
+  struct Row {
+    SizeLimits limits;
+    std::string begin;
+    std::size_t most;
+  };
+  for (const Row& row : {Row{limits_before_hello(), hello, kMaxBeforeHelloBytes},
+                         Row{limits_of_server(), hello, kMaxControlBytes},
+                         Row{limits_of_server(), frame, kMaxCameraFrameBytes}}) {
+    Decoder fits(row.limits), exceeds(row.limits), overflows(row.limits);
+    EXPECT_TRUE(std::holds_alternative<Decoder::NeedMore>(
+        next_part(fits, row.begin, {.at_least_left = row.most - 1, .last = false})));
+    EXPECT_TRUE(std::holds_alternative<Decoder::Failure>(
+        next_part(exceeds, row.begin, {.at_least_left = row.most, .last = false})));
+    EXPECT_TRUE(std::holds_alternative<Decoder::Failure>(
+        next_part(overflows, row.begin, {.at_least_left = SIZE_MAX, .last = false})));
+  }
+}
+
+// Frames that each are short, of a message that never says how long it will be.
+TEST(Framing, PartsAreRefusedWhenTheyExceedTheLimitOfTheirKind) {
+  Decoder decoder(limits_of_server());
+  std::string piece = "\x0a" + std::string(999, '\x80');
+  std::size_t taken = 0;
+  while (std::holds_alternative<Decoder::NeedMore>(next_part(decoder, piece, {}))) {
+    taken += piece.size();
+    ASSERT_LE(taken, kMaxControlBytes);
+    piece = std::string(1000, '\0');
+  }
+}
+
+TEST(Framing, AMessageOfNothingIsNone) {
+  Decoder decoder(limits_of_server());
+  EXPECT_TRUE(std::holds_alternative<Decoder::NeedMore>(next_part(decoder, "", {})));
+  EXPECT_EQ(decoder.bytes_of_unfinished(), 0u);
+  EXPECT_TRUE(std::holds_alternative<Decoder::Failure>(
+      next_part(decoder, "", {.at_least_left = 0, .last = true})));
+}
+
 }  // namespace
 }  // namespace amalgam::protocol
