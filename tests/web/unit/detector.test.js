@@ -4,8 +4,10 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import jpeg from "jpeg-js";
+import { Dictionary } from "amalgam-page/markers/dictionary.js";
 import { Detector } from "amalgam-page/markers/detector.js";
 import { GreyImage } from "amalgam-page/markers/grey_image.js";
+import { readPattern } from "amalgam-page/markers/pattern.js";
 import table from "amalgam-page/markers/opencv.json";
 import { drawMarker, patternOf } from "../support/drawn_marker.js";
 import { testData } from "../support/places.js";
@@ -52,6 +54,25 @@ test("an even picture and a black square hold no marker", () => {
   assert.deepEqual(new Detector(table, "DICT_6X6_250", 160, 140).detect(grey), []);
   const black = drawMarker(Array(6).fill("000000"), SQUARE, 160, 140);
   assert.deepEqual(new Detector(table, "DICT_6X6_250", 160, 140).detect(black), []);
+});
+
+test("a pattern without a black border is none", () => {
+  // Marker 40 with a white border inside of a black one, ten bits wide in all.
+  const white = "11111111";
+  const framed = [white, ...MARKER_40.map((row) => `1${row}1`), white];
+  const square = (from, to) =>
+    [[from, from], [to, from], [to, to], [from, to]].map(([x, y]) => ({ x, y }));
+  const image = drawMarker(framed, square(10, 110), 120, 120);
+  assert.equal(readPattern(image, square(20, 100), 6), null);
+});
+
+test("wrong bits are corrected as far as OpenCV does, and no further", () => {
+  const dictionary = new Dictionary(table, "DICT_6X6_250"); // 5 bits, times 0.6
+  const code = BigInt(`0b${MARKER_40.join("")}`);
+  assert.deepEqual(dictionary.find(code), { id: 40, quarters: 0 });
+  const three = code ^ 0b100000000100000000100n;
+  assert.equal(dictionary.find(three)?.id, 40);
+  assert.equal(dictionary.find(three ^ 1n), null);
 });
 
 test("each family of dictionaries is read", () => {

@@ -33,6 +33,12 @@ test("a slow server gets one frame at a time: the second would only wait", () =>
   assert.ok(run(pace, { server: 100, way: 10 }, 2000) < 1.1);
 });
 
+test("two at once are not kept where they bring nothing, as with a slow camera", () => {
+  const pace = new Pace();
+  for (let i = 0; i < 100; ++i) pace.shown(50, 200 * i);
+  assert.equal(pace.limit, 1);
+});
+
 test("a server that becomes slow is noticed", () => {
   const pace = new Pace();
   run(pace, { server: 20, way: 80 }, 100);
