@@ -5,8 +5,10 @@ const element = (id) => document.getElementById(id);
 
 const press = (button, pressed) => button.setAttribute("aria-pressed", String(pressed));
 
-// A key that a control of the page uses itself.
-const isTyping = ({ target }) => target.closest("input, select, textarea, [contenteditable]") !== null;
+// Keys that a control uses itself: letters where one types or chooses, arrows on sliders too.
+const takesLetters = ({ target }) =>
+  target.closest("select, input:not([type=range], [type=checkbox])") !== null;
+const takesArrows = ({ target }) => target.closest("select, input") !== null;
 
 /**
  * @param {CompositeView} view
@@ -58,11 +60,12 @@ export function connectControls(view, settings, onMarkers) {
 
   const keys = { m: "markers-button", s: "snapshot-button", r: "film-button", f: "screen-button" };
   document.addEventListener("keydown", (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey || isTyping(event)) return;
+    if (event.ctrlKey || event.metaKey || event.altKey || takesLetters(event)) return;
     const key = event.key.toLowerCase();
-    if (key === "arrowleft") move(-5);
-    else if (key === "arrowright") move(5);
-    else if (key === "p") togglePanel();
+    if (key.startsWith("arrow")) {
+      if (key === "arrowleft" && !takesArrows(event)) move(-5);
+      if (key === "arrowright" && !takesArrows(event)) move(5);
+    } else if (key === "p") togglePanel();
     else if (keys[key] && !element(keys[key]).hidden) actions[keys[key]]();
   });
 }

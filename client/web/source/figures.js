@@ -40,6 +40,7 @@ export class Figures {
       if (name.startsWith("server/") && !running.has(name)) this.#averages.delete(name);
     }
     for (const { name, milliseconds } of composite.stages) {
+      if (name === "total") continue; // that is no stage, but their sum
       this.#average(`server/${name}`, milliseconds);
     }
   }

@@ -48,7 +48,7 @@ export class Readout {
     this.#updated = now;
     const total = figures.average("total");
     const rate = figures.rate(now);
-    this.#parts.summary.textContent = `${total.toFixed(0)} ms · ${rate.toFixed(1)} frames/s`;
+    this.#parts.summary.textContent = `${total.toFixed(0)} ms · ${rate.toFixed(1)} fps`;
     this.#stages(figures);
     this.#parts.frames.replaceChildren(
       row("shown", `${figures.shown} (${rate.toFixed(1)} each second)`),

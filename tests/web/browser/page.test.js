@@ -7,7 +7,7 @@ import { after, before, test } from "node:test";
 import jpeg from "jpeg-js";
 import { CHROMIUM, closeBrowsers, openPage, startCamera, textMatches } from "../support/browser.js";
 import { drawMarker, patternOf } from "../support/drawn_marker.js";
-import { writeFilm } from "../support/film.js";
+import { colored, writeFilm } from "../support/film.js";
 import { buildFolder } from "../support/places.js";
 import { StubServer, unchanged, WELCOME } from "../support/stub_server.js";
 
@@ -20,7 +20,8 @@ const film = (name) => join(folder, `${name}.y4m`);
 
 before(() => {
   folder = mkdtempSync(join(tmpdir(), "amalgam-film-"));
-  writeFilm(film("marker"), [drawMarker(patternOf("DICT_6X6_250", 40), CORNERS, 320, 240)]);
+  const marker = drawMarker(patternOf("DICT_6X6_250", 40), CORNERS, 320, 240);
+  writeFilm(film("marker"), [colored(marker)]);
 });
 after(async () => {
   await closeBrowsers();
@@ -53,7 +54,7 @@ async function withPage({ answers = friendly, ...options }, f) {
 test("frames are sent with corners, and composites are shown", { skip }, async () => {
   await withPage({ film: film("marker") }, async ({ page, server, address }) => {
     await startCamera(page, address);
-    await textMatches(page, "#summary", /frames\/s/);
+    await textMatches(page, "#summary", /fps/);
     const hello = server.received[0].value;
     assert.deepEqual([hello.camera.width, hello.camera.height], [320, 240]);
     assert.ok(Math.abs(hello.camera.fx - 160 * Math.sqrt(3)) < 1e-9);
@@ -68,6 +69,15 @@ test("frames are sent with corners, and composites are shown", { skip }, async (
     assert.match(await page.textContent("#markers-used"), /marker 40, 0.50 m away, in view/);
     assert.match(await page.textContent("#passes"), /trace.*nothing specular/);
     assert.ok(await page.isHidden("#notice"));
+    // Keys work from the slider too, and leave its own ones alone.
+    await page.focus("#compare");
+    await page.keyboard.press("p");
+    assert.ok(await page.isVisible("#panel"));
+    await page.keyboard.press("ArrowRight");
+    assert.equal(await page.inputValue("#compare"), "1");
+    await page.keyboard.press("m");
+    await page.waitForSelector("#outlines text");
+    assert.equal(await page.textContent("#outlines text"), "40");
   });
 });
 
@@ -82,7 +92,7 @@ test("slider, snapshot and film", { skip }, async () => {
   };
   await withPage({ answers, film: film("marker") }, async ({ page, address }) => {
     await startCamera(page, address);
-    await textMatches(page, "#summary", /frames\/s/);
+    await textMatches(page, "#summary", /fps/);
     const levels = () =>
       page.evaluate(() => {
         const context = document.getElementById("canvas").getContext("2d");
@@ -176,7 +186,7 @@ test("a wrong token is said, and the right one is taken", { skip }, async () => 
 test("a server that ends is said, and a new one is found", { skip }, async () => {
   await withPage({ film: film("marker") }, async ({ page, address, server }) => {
     await startCamera(page, address);
-    await textMatches(page, "#summary", /frames\/s/);
+    await textMatches(page, "#summary", /fps/);
     const { port } = server;
     await server.close();
     await textMatches(page, "#notice-title", /The connection is lost/);
