@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <numbers>
 #include <opencv2/calib3d.hpp>
+#include <utility>
 
 #include "tracking/marker_board.h"
 
@@ -31,6 +33,9 @@ std::vector<PoseSolution> solve_ideal(const std::vector<cv::Point2d>& corners, d
     return solutions;  // corners that are no quadrilateral
   }
   for (std::size_t i = 0; i < rotations.size(); ++i) {
+    // Longer vectors come from a division by almost 0: see solve_square().
+    constexpr double kRounding = 1e-6;
+    if (!(cv::norm(rotations[i]) <= std::numbers::pi + kRounding)) continue;
     const double error = errors.at<double>(static_cast<int>(i));
     const auto solution = make_solution(rotations[i], translations[i], error);
     if (solution && shows_its_face(solution->pose)) solutions.push_back(*solution);
@@ -46,13 +51,14 @@ std::vector<PoseSolution> solve_square(const SquareCorners& corners, double mark
   auto ideal = ideal_pixels(corners, camera);
   if (!ideal) return {};
   auto solutions = solve_ideal(*ideal, marker_length, camera);
-  if (solutions.empty()) {
+  if (solutions.size() < 2) {
     // A marker facing the camera exactly is a turn by pi, where OpenCV's conversion to a rotation
-    // vector divides by 0 and gives none or the marker's back. A nudge far below what a corner is
-    // known to gets it out of there.
+    // vector divides by (almost) 0: the right solution is missing, or both are. A nudge far below
+    // what a corner is known to gets it out of there.
     constexpr double kNudge = 1e-3;  // pixels
     ideal->front().x += kNudge;
-    solutions = solve_ideal(*ideal, marker_length, camera);
+    auto nudged = solve_ideal(*ideal, marker_length, camera);
+    if (nudged.size() > solutions.size()) solutions = std::move(nudged);
   }
   return solutions;
 }

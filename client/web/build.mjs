@@ -2,7 +2,7 @@
 //
 //   node build.mjs --packages FOLDER --descriptor FILE --page FOLDER [--tests FOLDER]
 //
-// packages: holds node_modules, which never lies in the source folder. descriptor: of amalgam.proto,
+// packages: holds node_modules, which never lies in the source folder. descriptor: amalgam.proto's,
 // as `protoc --descriptor_set_out` writes it. page: what the server is to serve. tests: the tests
 // of tests/web, for `node --test`.
 import { cpSync, mkdirSync, readdirSync } from "node:fs";

@@ -103,7 +103,12 @@ export class App {
       session.open();
     } catch (error) {
       const { message: text } = error;
-      this.#page.notice.show({ level: "error", title: "These settings do not work", text, action: "settings" });
+      this.#page.notice.show({
+        level: "error",
+        title: "These settings do not work",
+        text,
+        action: "settings",
+      });
     }
   }
 

@@ -7,10 +7,30 @@ const opencvTypes = ["opencv-matrix", "opencv-nd-matrix"].map(
 );
 const schema = DEFAULT_SCHEMA.extend(opencvTypes);
 
-const MATRIX = ["camera_matrix", "cameraMatrix", "Camera_Matrix", "camera_Matrix", "CameraMatrix",
-  "intrinsic_matrix", "mtx", "K", "k"];
-const DISTORTION = ["distortion_coefficients", "Distortion_Coefficients", "distortion_coeffs",
-  "distCoeffs", "dist_coeffs", "dist_coeff", "distCoeff", "dist_coefs", "dist", "D", "d"];
+const MATRIX = [
+  "camera_matrix",
+  "cameraMatrix",
+  "Camera_Matrix",
+  "camera_Matrix",
+  "CameraMatrix",
+  "intrinsic_matrix",
+  "mtx",
+  "K",
+  "k",
+];
+const DISTORTION = [
+  "distortion_coefficients",
+  "Distortion_Coefficients",
+  "distortion_coeffs",
+  "distCoeffs",
+  "dist_coeffs",
+  "dist_coeff",
+  "distCoeff",
+  "dist_coefs",
+  "dist",
+  "D",
+  "d",
+];
 const WIDTH = ["image_width", "image_Width", "imageWidth", "width"];
 const HEIGHT = ["image_height", "image_Height", "imageHeight", "height"];
 const MAX_COEFFICIENTS = 12; // of the protocol; OpenCV's two more are of a tilted sensor
@@ -22,7 +42,8 @@ function numbers(node, what) {
   const list = Array.isArray(node) ? node : node?.data;
   if (!Array.isArray(list)) throw new Error(`The file's ${what} is not a matrix.`);
   const flat = list.flat(2).map(Number);
-  if (!flat.every(Number.isFinite)) throw new Error(`The file's ${what} has something but numbers.`);
+  if (!flat.every(Number.isFinite))
+    throw new Error(`The file's ${what} has something but numbers.`);
   return flat;
 }
 
@@ -47,7 +68,8 @@ function kalibr({ intrinsics, distortion_coeffs: distortion, ...camera }) {
 
 function flat(root) {
   const matrix = first(root, MATRIX);
-  if (matrix === undefined) throw new Error("The file has no camera matrix (camera_matrix, K, ...).");
+  if (matrix === undefined)
+    throw new Error("The file has no camera matrix (camera_matrix, K, ...).");
   const distortion = first(root, DISTORTION);
   if (distortion === undefined) {
     throw new Error("The file has no distortion coefficients (distortion_coefficients, D, ...).");
@@ -81,7 +103,8 @@ export function parseCalibration(text) {
     throw new Error("The file is no camera calibration.");
   }
   const camera = root.cam0 ? kalibr(root.cam0) : flat(root);
-  if (!(camera.fx > 0 && camera.fy > 0)) throw new Error("The file's focal lengths are not positive.");
+  if (!(camera.fx > 0 && camera.fy > 0))
+    throw new Error("The file's focal lengths are not positive.");
   if (camera.distortion.slice(MAX_COEFFICIENTS).some((value) => value !== 0)) {
     throw new Error("A tilted sensor (distortion coefficients 13 and 14) is not supported.");
   }
@@ -98,7 +121,9 @@ export function fitToImage(calibration, width, height) {
   const sy = height / calibration.height;
   if (Math.abs(calibration.height * sx - height) > 1) {
     const of = `${calibration.width}x${calibration.height}`;
-    throw new Error(`The calibration is for ${of}, and the camera's ${width}x${height} is a crop of it.`);
+    throw new Error(
+      `The calibration is for ${of}, and the camera's ${width}x${height} is a crop of it.`,
+    );
   }
   return {
     ...calibration,

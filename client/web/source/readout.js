@@ -51,7 +51,7 @@ export class Readout {
     this.#parts.summary.textContent = `${total.toFixed(0)} ms · ${rate.toFixed(1)} fps`;
     this.#stages(figures);
     this.#parts.frames.replaceChildren(
-      row("shown", `${figures.shown} (${rate.toFixed(1)} each second)`),
+      row("shown", figures.shown),
       row("late, over 0.3 s old", figures.late),
       row("skipped by this page", figures.skipped),
       row("skipped by the server", composite.skipped),
@@ -67,11 +67,14 @@ export class Readout {
       const own = row(label, ms(figures.average(name)));
       if (name !== "server") return [own];
       const inner = figures.serverStages().filter(([, value]) => value >= 0.05);
-      return [own, ...inner.map(([stage, value]) => {
-        const tr = row(stage.replaceAll("_", " "), ms(value));
-        tr.className = "inner";
-        return tr;
-      })];
+      return [
+        own,
+        ...inner.map(([stage, value]) => {
+          const tr = row(stage.replaceAll("_", " "), ms(value));
+          tr.className = "inner";
+          return tr;
+        }),
+      ];
     });
     const total = row("capture to screen", ms(figures.average("total")));
     total.className = "total";

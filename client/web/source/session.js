@@ -69,7 +69,9 @@ export class Session {
     this.#socket = socket;
     // A socket that was given up may still have something to say.
     const current = (f) => (event) => this.#socket === socket && f(event);
-    socket.onopen = current(() => this.#send("hello", { ...this.#hello, version: PROTOCOL_VERSION }));
+    socket.onopen = current(() =>
+      this.#send("hello", { ...this.#hello, version: PROTOCOL_VERSION }),
+    );
     socket.onmessage = current((event) => this.#receive(event.data));
     socket.onclose = current((event) => this.#ended(event.reason));
     this.#feedWatchdog();

@@ -30,7 +30,11 @@ async function process({ frameId, bitmap }) {
   const markers = detector.detect(grey);
   const searched = performance.now();
   const jpeg = await (await encoding).arrayBuffer();
-  const times = { read: drawn - begin, search: searched - drawn, encode: performance.now() - searched };
+  const times = {
+    read: drawn - begin,
+    search: searched - drawn,
+    encode: performance.now() - searched,
+  };
   // The page shows this very picture beside its composite.
   const picture = canvas.transferToImageBitmap();
   const corners = markers.map(({ id, corners: points }) => ({
@@ -43,7 +47,9 @@ async function process({ frameId, bitmap }) {
 // Frames share the canvas, so one is done before the next begins.
 let last = Promise.resolve();
 self.onmessage = ({ data }) => {
-  last = last.then(() => (data.kind === "setup" ? prepare(data) : process(data))).catch((error) => {
-    self.postMessage({ kind: "failed", frameId: data.frameId, text: error.message });
-  });
+  last = last
+    .then(() => (data.kind === "setup" ? prepare(data) : process(data)))
+    .catch((error) => {
+      self.postMessage({ kind: "failed", frameId: data.frameId, text: error.message });
+    });
 };

@@ -13,7 +13,12 @@ import { StubServer, unchanged, WELCOME } from "../support/stub_server.js";
 
 const skip = existsSync(CHROMIUM) ? false : "there is no Chromium";
 const PAGE = join(buildFolder(), "web");
-const CORNERS = [[90, 60], [210, 66], [206, 184], [84, 176]].map(([x, y]) => ({ x, y }));
+const CORNERS = [
+  [90, 60],
+  [210, 66],
+  [206, 184],
+  [84, 176],
+].map(([x, y]) => ({ x, y }));
 
 let folder;
 const film = (name) => join(folder, `${name}.y4m`);
@@ -43,7 +48,9 @@ async function withPage({ answers = friendly, ...options }, f) {
   const opened = await openPage(options);
   try {
     await f({ ...opened, server, address });
-    const complaints = opened.complaints.filter((text) => !text.includes("WebSocket connection to"));
+    const complaints = opened.complaints.filter(
+      (text) => !text.includes("WebSocket connection to"),
+    );
     assert.deepEqual(complaints, []); // what the content security policy forbids is among them
   } finally {
     await opened.close();
@@ -60,7 +67,10 @@ test("frames are sent with corners, and composites are shown", { skip }, async (
     assert.ok(Math.abs(hello.camera.fx - 160 * Math.sqrt(3)) < 1e-9);
     const { value } = server.received.findLast(({ kind }) => kind === "cameraFrame");
     assert.deepEqual([...value.jpeg.subarray(0, 2)], [0xff, 0xd8]);
-    assert.deepEqual(value.corners.map(({ marker }) => marker), [40]);
+    assert.deepEqual(
+      value.corners.map(({ marker }) => marker),
+      [40],
+    );
     // The camera's way through the browser's video and its JPEG costs a little.
     value.corners[0].pixels.forEach((pixel, i) => {
       const expected = CORNERS[Math.floor(i / 2)][i % 2 ? "y" : "x"];

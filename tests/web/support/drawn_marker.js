@@ -10,7 +10,12 @@ const BLACK = 30;
 // The map from the quadrangle back to the unit square: the inverse of the homography by which
 // (0,0), (1,0), (1,1), (0,1) go to the corners, from the eight linear equations for it.
 function quadrangleToSquare(corners) {
-  const targets = [[0, 0], [1, 0], [1, 1], [0, 1]];
+  const targets = [
+    [0, 0],
+    [1, 0],
+    [1, 1],
+    [0, 1],
+  ];
   const rows = corners.flatMap(({ x, y }, i) => {
     const [u, v] = targets[i];
     return [

@@ -18,9 +18,18 @@ export class Server {
   /** @returns {Promise<Server>} that listens, with a web port of its own or the one given */
   static async start(scene, { webPort = 0, options = [] } = {}) {
     const server = new Server();
-    const places = ["--listen", "127.0.0.1:0", "--admin", "127.0.0.1:0", "--web", `127.0.0.1:${webPort}`];
+    const places = [
+      "--listen",
+      "127.0.0.1:0",
+      "--admin",
+      "127.0.0.1:0",
+      "--web",
+      `127.0.0.1:${webPort}`,
+    ];
     const all = ["--scene", scene, ...places, "--log-level", "warn", ...options];
-    server.#process = spawn(program("amalgam-server"), all, { stdio: ["ignore", "pipe", "inherit"] });
+    server.#process = spawn(program("amalgam-server"), all, {
+      stdio: ["ignore", "pipe", "inherit"],
+    });
     for await (const line of createInterface({ input: server.#process.stdout })) {
       const [, address] = /listening on (\S+)/.exec(line) ?? [];
       if (!address) continue;
@@ -45,7 +54,15 @@ export class Server {
 /** Runs the native client until it ends, and returns the composites' JPEG in the order of frames. */
 export function nativeComposites(address, source, frames) {
   const folder = mkdtempSync(join(tmpdir(), "amalgam-native-"));
-  const options = ["--server", address, "--lockstep", "--frames", String(frames), "--output", folder];
+  const options = [
+    "--server",
+    address,
+    "--lockstep",
+    "--frames",
+    String(frames),
+    "--output",
+    folder,
+  ];
   const { status, stderr } = spawnSync(program("amalgam-client"), [...options, ...source]);
   if (status !== 0) throw new Error(`amalgam-client: ${stderr}`);
   const name = (i) => join(folder, `frame-${String(i + 1).padStart(6, "0")}.jpg`);
@@ -57,7 +74,11 @@ export function nativeComposites(address, source, frames) {
 /** Pictures of the synthetic desk as its camera takes them: what a server without objects sends. */
 export async function deskPictures(folder, size, frames) {
   const scene = join(folder, "empty.gltf");
-  const empty = { asset: { version: "2.0" }, scene: 0, scenes: [{ extras: { amalgam: { world_marker: 40 } } }] };
+  const empty = {
+    asset: { version: "2.0" },
+    scene: 0,
+    scenes: [{ extras: { amalgam: { world_marker: 40 } } }],
+  };
   writeFileSync(scene, JSON.stringify(empty));
   const server = await Server.start(scene, { options: ["--renderer", "raytrace"] });
   try {

@@ -38,7 +38,13 @@ test("OpenCV's JSON, ROS's and Kalibr's YAML are read", () => {
   const json = {
     image_width: 640,
     image_height: 480,
-    camera_matrix: { type_id: "opencv-matrix", rows: 3, cols: 3, dt: "d", data: [600, 0, 320, 0, 601, 240, 0, 0, 1] },
+    camera_matrix: {
+      type_id: "opencv-matrix",
+      rows: 3,
+      cols: 3,
+      dt: "d",
+      data: [600, 0, 320, 0, 601, 240, 0, 0, 1],
+    },
     distortion_coefficients: { rows: 1, cols: 2, data: [0.1, 0.2] },
   };
   assert.equal(parseCalibration(JSON.stringify(json)).fy, 601);

@@ -17,30 +17,54 @@ const MARKER_40 = patternOf("DICT_6X6_250", 40);
 const furthest = (found, expected) =>
   Math.max(...found.map(({ x, y }, i) => Math.hypot(x - expected[i].x, y - expected[i].y)));
 
-const SQUARE = [[50.3, 40.7], [110.3, 42.2], [107.9, 101.4], [48.1, 99.8]].map(([x, y]) => ({ x, y }));
+const SQUARE = [
+  [50.3, 40.7],
+  [110.3, 42.2],
+  [107.9, 101.4],
+  [48.1, 99.8],
+].map(([x, y]) => ({ x, y }));
 
 test("corners are those of the print, top left first, however it is turned", () => {
   for (let quarters = 0; quarters < 4; ++quarters) {
     const corners = SQUARE.map((_, i) => SQUARE[(i + quarters) % 4]);
     const image = drawMarker(MARKER_40, corners, 160, 140);
     const found = new Detector(table, "DICT_6X6_250", 160, 140).detect(image);
-    assert.deepEqual(found.map(({ id }) => id), [40]);
+    assert.deepEqual(
+      found.map(({ id }) => id),
+      [40],
+    );
     // Measured: 0.03 px. A pixel's corner taken for its centre would be 0.7 px.
-    assert.ok(furthest(found[0].corners, corners) < 0.1, `${furthest(found[0].corners, corners)} px`);
+    assert.ok(
+      furthest(found[0].corners, corners) < 0.1,
+      `${furthest(found[0].corners, corners)} px`,
+    );
   }
 });
 
 test("markers are found in perspective and when they are small", () => {
   const cases = [
-    [[20, 30], [130, 44], [112, 92], [8, 110]],
-    [[60.5, 50.2], [84.6, 51.1], [83.2, 74.9], [59.8, 74.1]],
+    [
+      [20, 30],
+      [130, 44],
+      [112, 92],
+      [8, 110],
+    ],
+    [
+      [60.5, 50.2],
+      [84.6, 51.1],
+      [83.2, 74.9],
+      [59.8, 74.1],
+    ],
   ];
   for (const points of cases) {
     const corners = points.map(([x, y]) => ({ x, y }));
     const image = drawMarker(MARKER_40, corners, 160, 140);
     const found = new Detector(table, "DICT_6X6_250", 160, 140, [40]).detect(image);
     assert.equal(found.length, 1);
-    assert.ok(furthest(found[0].corners, corners) < 0.2, `${furthest(found[0].corners, corners)} px`);
+    assert.ok(
+      furthest(found[0].corners, corners) < 0.2,
+      `${furthest(found[0].corners, corners)} px`,
+    );
   }
 });
 
@@ -61,7 +85,12 @@ test("a pattern without a black border is none", () => {
   const white = "11111111";
   const framed = [white, ...MARKER_40.map((row) => `1${row}1`), white];
   const square = (from, to) =>
-    [[from, from], [to, from], [to, to], [from, to]].map(([x, y]) => ({ x, y }));
+    [
+      [from, from],
+      [to, from],
+      [to, to],
+      [from, to],
+    ].map(([x, y]) => ({ x, y }));
   const image = drawMarker(framed, square(10, 110), 120, 120);
   assert.equal(readPattern(image, square(20, 100), 6), null);
 });
@@ -76,10 +105,19 @@ test("wrong bits are corrected as far as OpenCV does, and no further", () => {
 });
 
 test("each family of dictionaries is read", () => {
-  for (const [name, id] of [["DICT_4X4_50", 7], ["DICT_5X5_100", 33], ["DICT_7X7_250", 101], ["DICT_APRILTAG_36h11", 9]]) {
+  for (const [name, id] of [
+    ["DICT_4X4_50", 7],
+    ["DICT_5X5_100", 33],
+    ["DICT_7X7_250", 101],
+    ["DICT_APRILTAG_36h11", 9],
+  ]) {
     const image = drawMarker(patternOf(name, id), SQUARE, 160, 140);
     const found = new Detector(table, name, 160, 140).detect(image);
-    assert.deepEqual(found.map((marker) => marker.id), [id], name);
+    assert.deepEqual(
+      found.map((marker) => marker.id),
+      [id],
+      name,
+    );
   }
 });
 
@@ -123,15 +161,18 @@ test("of tags in a field, more are found than by the native client", { skip }, (
   const shares = [];
   forPhotographs("DICT_APRILTAG_36h11", (image, known, found) => {
     // Corners are in another order there.
-    const isKnown = (marker) => known.some(({ id, corners }) => {
-      const [a, b] = [marker.corners, corners].map(centre);
-      return id === marker.id && Math.hypot(a.x - b.x, a.y - b.y) < 3;
-    });
+    const isKnown = (marker) =>
+      known.some(({ id, corners }) => {
+        const [a, b] = [marker.corners, corners].map(centre);
+        return id === marker.id && Math.hypot(a.x - b.x, a.y - b.y) < 3;
+      });
     shares.push(found.filter(isKnown).length);
   });
   // The native client: 11, 4 and 7, of 12, 25 and 10.
   const atLeast = [11, 12, 8];
-  shares.forEach((count, i) => assert.ok(count >= atLeast[i], `photograph ${i}: ${count} of ${shares}`));
+  shares.forEach((count, i) =>
+    assert.ok(count >= atLeast[i], `photograph ${i}: ${count} of ${shares}`),
+  );
 });
 
 function centre(corners) {

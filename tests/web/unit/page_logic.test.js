@@ -46,15 +46,24 @@ test("seconds run down to now", () => {
 
 test("a frame's time is divided without a rest", () => {
   const figures = new Figures();
-  const stages = [{ name: "trace", milliseconds: 30 }, { name: "encode", milliseconds: 5 }];
+  const stages = [
+    { name: "trace", milliseconds: 30 },
+    { name: "encode", milliseconds: 5 },
+  ];
   const composite = { serverMs: 40, stages };
   const frame = { captured: 100, sent: 130, times: { read: 3, search: 12, encode: 5 } };
   figures.add(composite, frame, { received: 190, decoded: 194, shown: 195 });
   const average = (name) => figures.average(name);
   assert.deepEqual(["wait", "network", "decode", "show", "total"].map(average), [10, 20, 4, 1, 95]);
   const parts = ["wait", "read", "search", "encode", "network", "server", "decode", "show"];
-  assert.equal(parts.map(average).reduce((a, b) => a + b), average("total"));
-  assert.deepEqual(figures.serverStages(), [["trace", 30], ["encode", 5]]);
+  assert.equal(
+    parts.map(average).reduce((a, b) => a + b),
+    average("total"),
+  );
+  assert.deepEqual(figures.serverStages(), [
+    ["trace", 30],
+    ["encode", 5],
+  ]);
   assert.deepEqual([figures.shown, figures.late], [1, 0]);
 });
 

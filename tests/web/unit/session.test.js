@@ -60,7 +60,10 @@ class FakeClock {
   }
 }
 
-const WELCOME = { limits: { idleTimeoutMs: 5000 }, markers: { dictionary: "DICT_6X6_250", ids: [40] } };
+const WELCOME = {
+  limits: { idleTimeoutMs: 5000 },
+  markers: { dictionary: "DICT_6X6_250", ids: [40] },
+};
 
 let clock;
 let told;

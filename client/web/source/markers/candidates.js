@@ -36,7 +36,8 @@ export class CandidateSearch {
     const larger = Math.max(grey.width, grey.height);
     const found = [];
     for (const outline of CV.findContours(this.#binary, this.#bordered)) {
-      if (outline.length < MIN_PERIMETER * larger || outline.length > MAX_PERIMETER * larger) continue;
+      if (outline.length < MIN_PERIMETER * larger || outline.length > MAX_PERIMETER * larger)
+        continue;
       const corners = CV.approxPolyDP(outline, outline.length * POLYGON_ERROR);
       if (corners.length !== 4 || !CV.isContourConvex(corners)) continue;
       if (CV.minEdgeLength(corners) < MIN_SIDE * outline.length) continue;

@@ -1,6 +1,6 @@
 // Moves a found marker's corners to the intersections of its edges, to a few hundredths of a pixel.
-// client/tracking/edge_refinement.h has the same method and says why: each of the four edges is measured
-// along its length and fitted by a line.
+// client/tracking/edge_refinement.h has the same method and says why: each of the four edges is
+// measured along its length and fitted by a line.
 
 const ITERATIONS = 3; // the first guess is off by up to a pixel
 const MAX_REACH = 4; // pixels to either side of an edge; further is no edge's blur
