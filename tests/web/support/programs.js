@@ -51,7 +51,7 @@ export class Server {
   }
 }
 
-/** Runs the native client until it ends, and returns the composites' JPEG in the order of frames. */
+/** Runs the native client until it ends, and returns its composites in the order of frames. */
 export function nativeComposites(address, source, frames) {
   const folder = mkdtempSync(join(tmpdir(), "amalgam-native-"));
   const options = [

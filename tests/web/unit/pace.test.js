@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Pace } from "amalgam-page/pace.js";
 
-// A server that takes `server` ms for a frame, one after the other, behind a way of `way` ms in all.
+// A server that takes `server` ms for a frame, one after the other, behind a way of `way` ms.
 // Returns the mean limit over the frames.
 function run(pace, { server, way }, frames) {
   let now = 0;
