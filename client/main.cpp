@@ -8,8 +8,10 @@
 #include <opencv2/core/utils/logger.hpp>
 #include <stdexcept>
 
+#include "client/calibrate.h"
 #include "client/link/messages.h"
 #include "client/options.h"
+#include "client/sources/camera_devices.h"
 #include "client/sources/capture_source.h"
 #include "client/sources/environment_message.h"
 #include "client/sources/images_source.h"
@@ -34,8 +36,13 @@ common::CameraModel camera_for(const Options& options, cv::Size size) {
   if (!options.calibration.empty()) {
     return fit_to_image(load_calibration(options.calibration), size.width, size.height);
   }
+  if (options.field_of_view) {
+    return common::camera_of_view(size.width, size.height, *options.field_of_view);
+  }
   if (!options.synthetic) {
-    common::log_warn("no --calibration: a 60 degrees wide lens is assumed, positions will be off");
+    common::log_warn(
+        "neither --calibration nor --fov: a 60 degrees wide lens is assumed, positions will be "
+        "off");
   }
   return common::default_camera(size.width, size.height);
 }
@@ -69,14 +76,28 @@ std::unique_ptr<FrameSink> make_sink(const Options& options) {
   return nullptr;
 }
 
+int list_cameras() {
+  const std::vector<CameraDevice> cameras = find_cameras();
+  if (cameras.empty()) throw std::runtime_error("there is no camera");
+  for (const CameraDevice& camera : cameras) {
+    std::printf("%d  %s\n", camera.number, camera.name.c_str());
+  }
+  return EXIT_SUCCESS;
+}
+
 int run(const Options& options) {
   common::set_log_level(options.log_level);
+  if (options.list_cameras) return list_cameras();
   const std::string token =
       options.token_file.empty()
           ? std::string()
           : common::read_token_file(options.token_file, protocol::kMaxTokenBytes);
   const auto sink = make_sink(options);
   const auto source = make_source(options);
+  if (!options.calibrate.empty()) {
+    calibrate(options, *source, sink.get(), stop_requested);
+    return EXIT_SUCCESS;
+  }
   const common::CameraModel camera =
       source->own_camera() ? *source->own_camera() : camera_for(options, source->size());
   ConnectionOptions connection_options = options.connection;

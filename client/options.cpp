@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
 
 #include "client/tracking/board_description.h"
@@ -94,6 +96,8 @@ void add_source(CLI::App& app, Options& options) {
       ->type_name("GLOB");
   source->add_flag("--synthetic", options.synthetic,
                    "a desk with marker 40 (DICT_6X6_250, 0.05 m), filmed from a known path");
+  source->add_flag("--list-cameras", options.list_cameras,
+                   "print the numbers and names of the cameras, and end");
   source->require_option(1);
 }
 
@@ -182,9 +186,27 @@ std::optional<Options> parse_options(int argc, const char* const* argv, int& exi
   add_source(app, options);
   add_sink(app, options);
   add_markers(app, board, smoothing, options.viewer.dead_band);
-  app.add_option("--calibration", options.calibration,
-                 "OpenCV calibration file (.yml); without it 60 degrees of width are assumed")
-      ->type_name("FILE");
+  auto* const calibration =
+      app.add_option(
+             "--calibration", options.calibration,
+             "calibration of the lens (OpenCV, ROS, Kalibr; .yml, .xml or .json); without it "
+             "60 degrees of width are assumed")
+          ->type_name("FILE");
+  auto* const calibrate =
+      app.add_option("--calibrate", options.calibrate,
+                     "instead, calibrate the lens with a board (--charuco, --grid or --board; "
+                     "amalgam-marker prints one) and write this file for --calibration. Show it "
+                     "from all sides, near and in all corners")
+          ->type_name("FILE.yml")
+          ->excludes(calibration);
+  app.add_option("--dictionary", options.dictionary, "of the board's markers, with --calibrate")
+      ->type_name("NAME")
+      ->needs(calibrate);
+  app.add_option("--fov", options.field_of_view,
+                 "how wide the lens sees, where there is no calibration; its maker says so")
+      ->type_name("DEGREES")
+      ->check(CLI::Range(5.0, 150.0))
+      ->excludes(calibration);
   auto* environment =
       app.add_option("--environment", options.environment,
                      "equirectangular image of the surroundings, for the scene's light and "
@@ -238,6 +260,11 @@ std::optional<Options> parse_options(int argc, const char* const* argv, int& exi
   if (!size.empty()) options.size = parse_size(size);
   if (!smoothing.empty()) options.viewer.smoothing = parse_smoothing(smoothing);
   options.viewer.board = read_board(board);
+  if (!options.calibrate.empty() && !options.viewer.board) {
+    std::fputs("amalgam-client: --calibrate needs a board: --charuco, --grid or --board\n", stderr);
+    exit_code = EXIT_FAILURE;
+    return std::nullopt;
+  }
   options.true_poses = synthetic_poses == "true";
   return options;
 }

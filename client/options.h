@@ -21,11 +21,15 @@ struct Options {
   std::string video;
   std::vector<std::string> images;
   bool repeat_images = false;
+  std::string calibrate;                    // file to write; instead of talking to a server
+  std::string dictionary = "DICT_6X6_250";  // of the board that calibrates
+  bool list_cameras = false;                // and nothing else
   bool synthetic = false;
   bool synthetic_mirror = false;
   bool true_poses = false;
   cv::Size size;  // empty: the source's own
   std::string calibration;
+  std::optional<double> field_of_view;  // degrees, of the width; instead of a calibration
   std::string environment, environment_fisheye;
 
   bool display = false;

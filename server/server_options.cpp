@@ -120,6 +120,15 @@ void add_web_options(CLI::App& app, std::string& address, net::WebOptions& web) 
   app.add_option("--web-origin", web.origins,
                  "whose pages may open sessions, as https://example.org:8443; repeatable. Without "
                  "it, the server's own page")
+      ->check(CLI::Validator(
+          [](const std::string& text) {
+            // As browsers send it: a scheme, a host, perhaps a port, and no path.
+            const std::size_t scheme = text.find("://");
+            const bool is_origin = scheme != std::string::npos && scheme + 3 < text.size() &&
+                                   text.find_first_of("/?# ", scheme + 3) == std::string::npos;
+            return is_origin ? std::string() : "'" + text + "' is not an origin";
+          },
+          ""))
       ->type_name("ORIGIN");
 }
 

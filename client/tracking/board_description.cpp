@@ -83,12 +83,6 @@ std::optional<Number> parse(std::string_view text) {
   return value;
 }
 
-struct RegularBoard {
-  int columns = 0, rows = 0;
-  double first_length = 0.0, second_length = 0.0;
-  int first_id = 0;
-};
-
 std::optional<RegularBoard> parse_regular(std::string_view text) {
   std::vector<std::string_view> parts;
   for (std::size_t begin = 0; begin <= text.size();) {
@@ -145,15 +139,20 @@ tracking::MarkerBoard parse_grid_board(const std::string& text) {
                  text);
 }
 
-tracking::MarkerBoard parse_charuco_board(const std::string& text) {
+RegularBoard parse_charuco(const std::string& text) {
   const auto board = parse_regular(text);
   if (!board || !(board->second_length > 0) || !(board->first_length > board->second_length)) {
     throw std::runtime_error("'" + text +
                              "' is not COLUMNSxROWS:SQUARE:MARKER[:FIRST_ID] with markers smaller "
                              "than squares");
   }
-  return checked(tracking::make_charuco_board(board->columns, board->rows, board->first_length,
-                                              board->second_length, board->first_id),
+  return *board;
+}
+
+tracking::MarkerBoard parse_charuco_board(const std::string& text) {
+  const RegularBoard board = parse_charuco(text);
+  return checked(tracking::make_charuco_board(board.columns, board.rows, board.first_length,
+                                              board.second_length, board.first_id),
                  text);
 }
 

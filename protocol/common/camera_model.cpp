@@ -79,15 +79,19 @@ bool CameraModel::has_distortion() const {
   return std::any_of(distortion.begin(), distortion.end(), [](double k) { return k != 0.0; });
 }
 
-CameraModel default_camera(int width, int height) {
-  constexpr double kHalfFieldOfView = std::numbers::pi / 6.0;  // of the width
+CameraModel camera_of_view(int width, int height, double degrees) {
+  const double half = degrees * std::numbers::pi / 360.0;
   CameraModel camera;
   camera.width = width;
   camera.height = height;
-  camera.fx = camera.fy = 0.5 * width / std::tan(kHalfFieldOfView);
+  camera.fx = camera.fy = 0.5 * width / std::tan(half);
   camera.cx = 0.5 * (width - 1);
   camera.cy = 0.5 * (height - 1);
   return camera;
+}
+
+CameraModel default_camera(int width, int height) {
+  return camera_of_view(width, height, 60.0);
 }
 
 std::string describe_defect(const CameraModel& camera) {

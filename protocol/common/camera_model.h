@@ -24,7 +24,9 @@ struct CameraModel {
   bool has_distortion() const;
 };
 
-// A guess for an unknown camera: 60 degrees wide, square pixels, no distortion.
+// A camera without distortion, with square pixels, and so many degrees wide.
+CameraModel camera_of_view(int width, int height, double degrees);
+// A guess for an unknown camera: 60 degrees wide.
 CameraModel default_camera(int width, int height);
 
 // An empty string if the model can be rendered with, otherwise its defect: sides not in 1..8192,

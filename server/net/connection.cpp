@@ -45,6 +45,7 @@ Connection::Connection(std::unique_ptr<Transport> transport, ConnectionLimits::T
       timer_(transport_->socket().get_executor()),
       ticket_(std::move(ticket)),
       by_proxy_(by_proxy),
+      opened_(transport_->speaks_at_once()),
       shared_(shared),
       context_(shared.context),
       id_(id),

@@ -94,7 +94,7 @@ class Connection : public std::enable_shared_from_this<Connection>, private Line
   boost::asio::steady_timer timer_, proxy_timer_{timer_.get_executor()};
   std::optional<ConnectionLimits::Ticket> ticket_;
   const bool by_proxy_;
-  bool opened_ = false;  // Envelopes can be written
+  bool opened_;  // Envelopes can be written
   Shared& shared_;
   ServerContext& context_;
   std::uint64_t id_;

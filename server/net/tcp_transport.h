@@ -19,6 +19,7 @@ class TcpTransport final : public Transport {
   void close() override { stream_.close(); }
   boost::asio::ip::tcp::socket& socket() override { return stream_.socket(); }
   bool encrypted() const override { return tls_ != nullptr; }
+  bool speaks_at_once() const override { return !encrypted(); }
   const char* name() const override { return "tcp"; }
 
  private:

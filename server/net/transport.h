@@ -44,6 +44,8 @@ class Transport {
 
   virtual boost::asio::ip::tcp::socket& socket() = 0;
   virtual bool encrypted() const = 0;
+  // Whether Envelopes can be written even before open().
+  virtual bool speaks_at_once() const = 0;
   virtual const char* name() const = 0;  // for people and metrics
 };
 

@@ -101,6 +101,9 @@ void WebTransport::upgrade(OnOpened done) {
   // Deadlines and sizes are the connection's.
   socket_->set_option(websocket::stream_base::timeout{websocket::stream_base::none(),
                                                       websocket::stream_base::none(), false});
+  socket_->set_option(websocket::stream_base::decorator([](websocket::response_type& response) {
+    response.erase(http::field::server);  // nobody's business
+  }));
   socket_->read_message_max(0);
   socket_->auto_fragment(false);
   socket_->binary(true);

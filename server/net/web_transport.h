@@ -28,6 +28,7 @@ class WebTransport final : public Transport {
   void close() override { stream_.close(); }
   boost::asio::ip::tcp::socket& socket() override { return stream_.socket(); }
   bool encrypted() const override { return tls_ != nullptr; }
+  bool speaks_at_once() const override { return false; }
   const char* name() const override { return "websocket"; }
 
  private:

@@ -69,7 +69,8 @@ TEST(WebSessions, BadOpeningsAreRefused) {
 TEST(WebSessions, TextIsRefused) {
   TestServer server(test_config(), Over::WebSocket);
   TestClient client = server.connect();
-  client.send_raw(web_frame(0x81, "hello"));
+  // A good Envelope, a Goodbye: as a binary message it would be out of turn.
+  client.send_raw(web_frame(0x81, std::string("\x32\0", 2)));
   client.expect_error(Error::PROTOCOL_ERROR);
   EXPECT_TRUE(client.closed_by_server());
 }

@@ -1,11 +1,14 @@
 // amalgam-inspect: the contents of a scene, as the renderer takes it.
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <iostream>
 #include <optional>
 #include <string>
 
 #include "client/tools/inspect/inspect_report.h"
+#include "client/tools/marker/scene_markers.h"
+#include "client/tools/marker/sheet_file.h"
 #include "common/build_info.h"
 #include "common/run_program.h"
 #include "scene/gltf/loader.h"
@@ -16,6 +19,8 @@ struct Options {
   std::string scene;
   std::string environment;
   std::string env_lights = "sectors";
+  std::string marker_sheet;
+  std::string paper = "A4";
   bool json = false;
 };
 
@@ -37,6 +42,16 @@ std::vector<tools::Inspection::LightError> light_errors(const scene::Environment
   return errors;
 }
 
+void write_markers(const Options& options, const scene::Scene& scene) {
+  tools::SheetOptions sheet = tools::markers_of(scene);
+  sheet.title = std::filesystem::path(options.scene).filename().string();
+  if (options.paper == "letter") {
+    sheet.page_width = tools::kLetterWidth;
+    sheet.page_height = tools::kLetterHeight;
+  }
+  tools::write_sheet(options.marker_sheet, tools::lay_out_markers(sheet));
+}
+
 void inspect(const Options& options) {
   const auto light_options = scene::parse_env_light_options(options.env_lights);
   scene::LoadOptions load_options;
@@ -47,6 +62,7 @@ void inspect(const Options& options) {
     inspection.environment_lights = scene::extract_lights(*environment, light_options);
     inspection.light_errors = light_errors(*environment, to_string(light_options));
   }
+  if (!options.marker_sheet.empty()) return write_markers(options, inspection.scene);
   (options.json ? tools::print_json : tools::print_text)(std::cout, inspection);
 }
 
@@ -62,6 +78,13 @@ int main(int argc, char** argv) {
                  "environment map instead of the scene's own (.exr, .hdr, .jpg, .png)");
   app.add_option("--env-lights", options.env_lights,
                  "how the environment becomes lights: sectors or median-cut:N")
+      ->capture_default_str();
+  app.add_option("--marker-sheet", options.marker_sheet,
+                 "instead, write the scene's markers to print at true size (.pdf; .svg if one page "
+                 "is enough)")
+      ->type_name("FILE");
+  app.add_option("--paper", options.paper, "of the marker sheet")
+      ->check(CLI::IsMember({"A4", "letter"}))
       ->capture_default_str();
   app.add_flag("--json", options.json, "print one JSON object");
   app.set_version_flag("--version", common::version_line("amalgam-inspect"));

@@ -1,9 +1,11 @@
 #include "client/tools/marker/marker_sheet.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <opencv2/aruco.hpp>
 #include <stdexcept>
+#include <utility>
 
 #include "client/tracking/marker_dictionary.h"
 
@@ -12,18 +14,13 @@ namespace {
 
 constexpr double kPageMargin = 10.0;  // mm: what printers leave white
 constexpr double kCaption = 8.0;      // mm below each marker's margin
-constexpr double kFontSize = 3.2;     // mm
+constexpr double kRulerText = 5.0;    // mm from the ruler's line to the bottom of its text
+constexpr double kRulerHeight = 10.0;
 
 std::string millimetres(double value) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.3f", value);
+  std::snprintf(text, sizeof text, "%g", std::round(1000.0 * value) / 1000.0);
   return text;
-}
-
-std::string rectangle(const Square& square, const char* fill) {
-  return "<rect x=\"" + millimetres(square.x) + "\" y=\"" + millimetres(square.y) + "\" width=\"" +
-         millimetres(square.side) + "\" height=\"" + millimetres(square.side) + "\" fill=\"" +
-         fill + "\"/>\n";
 }
 
 // A pixel a cell, the black border included.
@@ -50,52 +47,95 @@ SheetMarker make_marker(int id, const cv::Mat& cells, const Square& outline, dou
   return marker;
 }
 
+// One page with the title and the ruler.
+MarkerSheet blank_sheet(const SheetOptions& options) {
+  MarkerSheet sheet;
+  sheet.width = options.page_width;
+  sheet.height = options.page_height;
+  sheet.dictionary = options.dictionary;
+  sheet.ruler = {.x = kPageMargin, .y = options.page_height - kPageMargin - kRulerText};
+  SheetPage& page = sheet.pages.emplace_back();
+  if (!options.title.empty()) {
+    page.texts.push_back({kPageMargin, kPageMargin + sheet.font_size, options.title});
+  }
+  page.texts.push_back({sheet.ruler.x, sheet.ruler.y + kRulerText,
+                        "Print at 100 %. This line is " + millimetres(sheet.ruler.length) +
+                            " mm long on paper; if not, the markers have the wrong size."});
+  return sheet;
+}
+
 }  // namespace
 
-MarkerSheet lay_out_markers(const std::string& dictionary, const std::vector<int>& ids,
-                            double length, double page_width, double page_height) {
-  const auto known = client::find_dictionary(dictionary);
-  const double side = 1000.0 * length;
+MarkerSheet lay_out_markers(const SheetOptions& options) {
+  const auto known = client::find_dictionary(options.dictionary);
+  const double side = 1000.0 * options.length;
   if (!(side > 0.0)) throw std::runtime_error("a marker's length must be above 0 m");
   const double margin = 2.0 * side / (known->markerSize + 2);
   const double across = side + 2.0 * margin, down = across + kCaption;
-
-  MarkerSheet sheet{page_width, page_height, dictionary, {}};
-  double x = kPageMargin, y = kPageMargin;
-  for (const int id : ids) {
-    if (x + across > page_width - kPageMargin) {
+  const double right = options.page_width - kPageMargin;
+  const double bottom = options.page_height - kPageMargin - kRulerHeight;
+  const double top = kPageMargin + (options.title.empty() ? 0.0 : kCaption);
+  if (kPageMargin + across > right || top + down > bottom) {
+    throw std::runtime_error("a marker of " + millimetres(side) + " mm does not fit on a page of " +
+                             millimetres(options.page_width) + " x " +
+                             millimetres(options.page_height) + " mm");
+  }
+  MarkerSheet sheet = blank_sheet(options);
+  double x = kPageMargin, y = top;
+  for (const int id : options.ids) {
+    if (x + across > right) {
       x = kPageMargin;
       y += down;
     }
-    if (x + across > page_width - kPageMargin || y + down > page_height - kPageMargin) {
-      throw std::runtime_error(std::to_string(ids.size()) + " markers of " + millimetres(side) +
-                               " mm do not fit on a page of " + millimetres(page_width) + " x " +
-                               millimetres(page_height) + " mm; print fewer at a time");
+    if (y + down > bottom) {
+      sheet.pages.push_back(blank_sheet(options).pages.front());
+      y = top;
     }
-    sheet.markers.push_back(
-        make_marker(id, cells_of(known, id), {x + margin, y + margin, side}, margin));
+    SheetPage& page = sheet.pages.back();
+    const Square outline{x + margin, y + margin, side};
+    page.markers.push_back(make_marker(id, cells_of(known, id), outline, margin));
+    // Print in the white margin would hide the marker's edge from detectors.
+    page.texts.push_back({outline.x, outline.y + side + margin + sheet.font_size,
+                          options.dictionary + ", marker " + std::to_string(id) +
+                              ": the black square is " + millimetres(side) + " mm wide"});
     x += across;
   }
   return sheet;
 }
 
-std::string to_svg(const MarkerSheet& sheet) {
-  const std::string width = millimetres(sheet.width), height = millimetres(sheet.height);
-  std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width +
-                    "mm\" height=\"" + height + "mm\" viewBox=\"0 0 " + width + " " + height +
-                    "\" shape-rendering=\"crispEdges\">\n<rect width=\"100%\" height=\"100%\" "
-                    "fill=\"white\"/>\n";
-  for (const SheetMarker& marker : sheet.markers) {
-    svg += rectangle(marker.outline, "black");
-    for (const Square& cell : marker.white) svg += rectangle(cell, "white");
-    const Square& outline = marker.outline;
-    svg += "<text x=\"" + millimetres(outline.x) + "\" y=\"" +
-           millimetres(outline.y + outline.side + marker.margin + kFontSize) +
-           "\" font-family=\"sans-serif\" font-size=\"" + millimetres(kFontSize) +
-           "\" fill=\"#444\">" + sheet.dictionary + ", marker " + std::to_string(marker.id) +
-           ": the black square is " + millimetres(outline.side) + " mm wide</text>\n";
+MarkerSheet lay_out_charuco(const SheetOptions& options, const client::RegularBoard& board) {
+  const double square = 1000.0 * board.first_length, marker = 1000.0 * board.second_length;
+  const double width = board.columns * square, height = board.rows * square;
+  SheetOptions page = options;
+  page.ids.clear();
+  page.length = marker / 1000.0;
+  const auto fits = [&] {
+    return width <= page.page_width - 2.0 * kPageMargin &&
+           height <= page.page_height - 2.0 * kPageMargin - kRulerHeight - kCaption;
+  };
+  if (!fits()) std::swap(page.page_width, page.page_height);
+  if (!fits()) {
+    throw std::runtime_error("a board of " + millimetres(width) + " x " + millimetres(height) +
+                             " mm does not fit on a page");
   }
-  return svg + "</svg>\n";
+  MarkerSheet sheet = blank_sheet(page);
+  SheetPage& only = sheet.pages.front();
+  const double left = 0.5 * (sheet.width - width), top = kPageMargin + kCaption;
+  const auto known = client::find_dictionary(options.dictionary);
+  int id = board.first_id;
+  for (int row = 0; row < board.rows; ++row) {
+    for (int column = 0; column < board.columns; ++column) {
+      const double x = left + column * square, y = top + row * square;
+      if ((row + column) % 2 == 0) {
+        only.black.push_back({x, y, square});
+        continue;
+      }
+      const double gap = 0.5 * (square - marker);
+      only.markers.push_back(make_marker(id, cells_of(known, id), {x + gap, y + gap, marker}, gap));
+      ++id;
+    }
+  }
+  return sheet;
 }
 
 }  // namespace amalgam::tools

@@ -1,10 +1,12 @@
-// A page of markers to be printed at their true size.
+// Pages of markers to be printed at their true size.
 //
 // Page frame: millimetres, x right, y down, origin at the top left corner.
 #pragma once
 
 #include <string>
 #include <vector>
+
+#include "client/tracking/board_description.h"
 
 namespace amalgam::tools {
 
@@ -19,19 +21,48 @@ struct SheetMarker {
   double margin = 0.0;        // white on all sides of the outline, millimetres
 };
 
-struct MarkerSheet {
-  double width = 210.0, height = 297.0;  // A4
-  std::string dictionary;
-  std::vector<SheetMarker> markers;
+struct SheetText {
+  double x = 0.0, y = 0.0;  // where the baseline begins, millimetres
+  std::string text;
 };
 
-// Places the markers in rows, each with a white margin of two cells. length: side of the black
-// square, metres. Throws std::runtime_error for an unknown dictionary or id, a length that is not
-// positive, or markers that do not fit on one page.
-MarkerSheet lay_out_markers(const std::string& dictionary, const std::vector<int>& ids,
-                            double length, double page_width = 210.0, double page_height = 297.0);
+struct SheetPage {
+  std::vector<Square> black;  // of a chessboard
+  std::vector<SheetMarker> markers;
+  std::vector<SheetText> texts;
+};
 
-// With a caption under each marker that says its id and the length to measure after printing.
-std::string to_svg(const MarkerSheet& sheet);
+// Each page has a ruler, so that a print can be checked.
+struct Ruler {
+  double x = 0.0, y = 0.0;  // its left end, on the line that the ticks stand on, millimetres
+  double length = 100.0;    // millimetres, a tick at each tenth
+};
+
+struct MarkerSheet {
+  double width = 210.0, height = 297.0;  // A4
+  double font_size = 3.2;                // millimetres
+  std::string dictionary;
+  Ruler ruler;
+  std::vector<SheetPage> pages;
+};
+
+struct SheetOptions {
+  std::string dictionary = "DICT_6X6_250";  // see client::find_dictionary()
+  std::vector<int> ids{};
+  double length = 0.05;  // side of the black square, metres
+  std::string title{};   // on each page; empty: none
+  double page_width = 210.0, page_height = 297.0;
+};
+
+inline constexpr double kLetterWidth = 215.9, kLetterHeight = 279.4;  // millimetres
+
+// Places the markers in rows, each with a white margin of two cells and a caption below that says
+// its id and the length to measure after printing. Throws std::runtime_error for an unknown
+// dictionary or id, a length that is not positive, or a marker that does not fit on a page.
+MarkerSheet lay_out_markers(const SheetOptions& options);
+
+// A ChArUco board on one page, wide or high as it fits. ids and length of the options are not used.
+// Throws std::runtime_error as above, or if it fits neither way.
+MarkerSheet lay_out_charuco(const SheetOptions& options, const client::RegularBoard& board);
 
 }  // namespace amalgam::tools
