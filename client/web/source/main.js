@@ -34,6 +34,7 @@ const notice = new Notice(
   },
 );
 const readout = new Readout({
+  all: element("figures"),
   summary: element("summary"),
   stages: element("stages"),
   frames: element("frames"),

@@ -31,7 +31,10 @@ export class Readout {
   #parts;
   #updated = -Infinity;
 
-  /** @param {Record<"summary" | "stages" | "frames" | "markers" | "passes", HTMLElement>} parts */
+  /**
+   * @param {Record<string, HTMLElement>} parts summary, and all, which holds the tables stages,
+   *   frames and passes, and the list markers; it is hidden before there are figures
+   */
   constructor(parts) {
     this.#parts = parts;
   }
@@ -46,6 +49,7 @@ export class Readout {
     const now = performance.now();
     if (now - this.#updated < UPDATE_MS) return;
     this.#updated = now;
+    this.#parts.all.hidden = false;
     const total = figures.average("total");
     const rate = figures.rate(now);
     this.#parts.summary.textContent = `${total.toFixed(0)} ms · ${rate.toFixed(1)} fps`;
