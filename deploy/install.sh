@@ -4,9 +4,12 @@ set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 
 mapfile -t packages < <(grep -vE '^[[:space:]]*(#|$)' "$here/packages.txt")
+# What others' packages bring along counts as there: NodeSource's nodejs brings npm, and refuses Debian's.
+provided=$(dpkg-query -W -f='${db:Status-Abbrev} ${Provides}\n' | sed -n 's/^ii *//p' | tr -d ' ' | tr ',' '\n')
 missing=()
 for package in "${packages[@]}"; do
-  dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q '^install ok installed$' || missing+=("$package")
+  dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q '^install ok installed$' ||
+    grep -qE "^$package(\(|$)" <<< "$provided" || missing+=("$package")
 done
 if [ ${#missing[@]} -eq 0 ]; then
   echo "install: all ${#packages[@]} packages are there"

@@ -52,9 +52,8 @@ class Tls : public testing::Test {
 };
 
 std::string frame(std::uint64_t id, std::size_t bytes) {
-  client::CapturedFrame captured;
-  captured.jpeg.assign(bytes, 'j');
-  return protocol::encode(client::frame_message(id, captured, {}));
+  return protocol::encode(
+      client::frame_message(id, std::vector<unsigned char>(bytes, 'j'), {}, {}));
 }
 
 // Sends a frame when welcomed; true if its composite comes back.

@@ -14,7 +14,7 @@ namespace {
 template <typename Read>
 void check_board(Read read) {
   try {
-    const std::string defect = client::describe_defect(read());
+    const std::string defect = tracking::describe_defect(read());
     AMALGAM_CHECK(defect.empty(), defect);
   } catch (const std::runtime_error&) {
   }

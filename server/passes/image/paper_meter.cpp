@@ -132,6 +132,10 @@ glm::vec3 exposure_by(const PaperSample& sample, scene::ToneCurve curve) {
   return glm::vec3(exposure);
 }
 
+// Evidence for Linear by clipped paper alone. Reinhard's curve never reaches white: by it such
+// paper would be a hundred times as bright as a desk is, and virtual objects with it.
+constexpr float kClipping = 1.0f;
+
 // By how much the radiance of ink and paper differs from what their reflectance says: |ln|.
 float contrast_error(const PaperSample& sample, scene::ToneCurve curve) {
   const scene::ToneMap response = scene::tone_map_of(1.0f, curve);
@@ -173,9 +177,12 @@ std::optional<glm::vec3> meter_paper(std::span<const PaperSample> samples, scene
 std::optional<float> evidence_for_linear(std::span<const PaperSample> samples) {
   std::vector<float> evidence;
   for (const PaperSample& sample : samples) {
-    if (luminance(sample.ink) < darkest_metered()) continue;
-    evidence.push_back(contrast_error(sample, scene::ToneCurve::Reinhard) -
-                       contrast_error(sample, scene::ToneCurve::Linear));
+    if (luminance(sample.ink) >= darkest_metered()) {
+      evidence.push_back(contrast_error(sample, scene::ToneCurve::Reinhard) -
+                         contrast_error(sample, scene::ToneCurve::Linear));
+    } else if (is_clipped(sample.paper)) {
+      evidence.push_back(kClipping);
+    }
   }
   if (evidence.empty()) return std::nullopt;
   const auto middle = evidence.begin() + static_cast<std::ptrdiff_t>(evidence.size() / 2);

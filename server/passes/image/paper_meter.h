@@ -56,7 +56,8 @@ std::optional<glm::vec3> meter_paper(std::span<const PaperSample> samples, scene
 
 // How much better Linear explains the markers' contrast than Reinhard does: the difference of the
 // two errors, in natural logarithms, in the median over the markers. Nothing if there is none, or
-// if the camera cannot be judged, because it shows paper or ink too dark.
+// if the camera cannot be judged, because it shows paper or ink too dark. Clipped paper beside ink
+// that is too dark speaks for Linear.
 std::optional<float> evidence_for_linear(std::span<const PaperSample> samples);
 
 }  // namespace amalgam::passes

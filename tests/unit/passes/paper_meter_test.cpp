@@ -82,6 +82,15 @@ TEST(PaperMeter, MeasuresTheInkWhereThePaperIsClipped) {
   expect_near(meter_paper(scene.samples(), scene.curve).value(), scene.exposure, 0.03f);
 }
 
+// A camera with much contrast: the ink too dark to be measured, the paper clipped. Reinhard's curve
+// would make such paper a hundred times as bright as it is, and burn out every virtual object.
+TEST(PaperMeter, TakesNoReinhardCurveForOneThatClips) {
+  const Desk scene{.curve = ToneCurve::Linear, .exposure = glm::vec3(2.6f), .ink = 0.001f};
+  EXPECT_GT(evidence_for_linear(scene.samples()).value(), 0.5f);
+  // Of clipped paper only the least brightness is known.
+  expect_near(meter_paper(scene.samples(), ToneCurve::Linear).value(), scene.exposure, 0.05f);
+}
+
 // Darker paper tells less, but there the curves differ less too.
 TEST(PaperMeter, TellsTheCamerasCurve) {
   for (const float exposure : {1.5f, 2.3f}) {

@@ -1,0 +1,183 @@
+// The page's parts connected: a camera, a session for its pictures, the frames between them, and
+// what the page says about it.
+import { fitToImage, parseCalibration } from "./calibration.js";
+import { closeCamera, onEachFrame, openCamera } from "./camera.js";
+import { cameraFromFieldOfView, sentSize } from "./camera_model.js";
+import { Figures } from "./figures.js";
+import { FrameLoop } from "./frame_loop.js";
+import { parseSize } from "./settings.js";
+import { sessionAddress } from "./server_address.js";
+import { Session } from "./session.js";
+import { cameraNotice, chip, noMarkerNotice, sessionNotice } from "./words.js";
+
+const NO_MARKER_AFTER_MS = 800; // a marker is easily missed in single frames
+const SMOOTHING = { minCutoff: 1, beta: 0 }; // what the native client's --smooth 1 is
+
+export class App {
+  #page;
+  #settings;
+  #session = null;
+  #worker = null;
+  #loop = null;
+  #figures = new Figures();
+  #markers = null; // of the server's Welcome
+  #markerSeenAt = 0;
+  #started = false;
+
+  /** @param {object} page video, view, notice, readout, chip(words, kind), cameras(deviceId) */
+  constructor(page, settings) {
+    this.#page = page;
+    this.#settings = settings;
+    this.outlines = settings.markers;
+    const { video } = page;
+    onEachFrame(video, (captured) => this.#onVideo(captured));
+    // A phone that is turned, for example: a session is for one size of pictures.
+    video.addEventListener("resize", () => this.#started && this.#openSession());
+    addEventListener("online", () => this.#session?.retryNow());
+    addEventListener("pagehide", () => this.#session?.close());
+  }
+
+  /** Asks for the camera, and connects once there are pictures. */
+  async start() {
+    const { video, notice } = this.#page;
+    this.#stop();
+    notice.show({ level: "info", title: "Starting the camera", text: "The browser may ask you." });
+    let stream;
+    try {
+      const { deviceId, size } = this.#settings;
+      stream = await openCamera(video, { deviceId, ...parseSize(size) });
+    } catch (error) {
+      notice.show(cameraNotice(error.reason, error.message));
+      return;
+    }
+    const [track] = stream.getVideoTracks();
+    track.addEventListener("ended", () => {
+      this.#stop();
+      notice.show(cameraNotice("ended"));
+    });
+    this.#started = true;
+    await this.#page.cameras(track.getSettings().deviceId);
+    this.#openSession();
+  }
+
+  /** @param {object} settings of settings.js */
+  apply(settings) {
+    this.#settings = settings;
+    this.start();
+  }
+
+  retryNow() {
+    this.#session?.retryNow();
+  }
+
+  #stop() {
+    this.#started = false;
+    this.#endLoop();
+    this.#session?.close();
+    this.#session = null;
+    closeCamera(this.#page.video);
+  }
+
+  #camera() {
+    const { videoWidth, videoHeight } = this.#page.video;
+    const { width, height } = sentSize(videoWidth, videoHeight);
+    const { calibration, fieldOfView } = this.#settings;
+    if (!calibration) return cameraFromFieldOfView(fieldOfView, width, height);
+    return fitToImage(parseCalibration(calibration.text), width, height);
+  }
+
+  #openSession() {
+    this.#endLoop();
+    this.#session?.close();
+    this.#session = null;
+    const { server, token, steady } = this.#settings;
+    try {
+      const camera = this.#camera();
+      const hello = { token, camera, jpegQuality: 0, ...(steady && { smoothing: SMOOTHING }) };
+      const session = new Session(sessionAddress(server, location), hello, {
+        status: (status) => this.#onStatus(status, camera),
+        composite: (composite) => this.#loop?.composite(composite),
+        error: (error) => this.#onFrameError(error),
+      });
+      this.#session = session;
+      session.open();
+    } catch (error) {
+      const { message: text } = error;
+      this.#page.notice.show({
+        level: "error",
+        title: "These settings do not work",
+        text,
+        action: "settings",
+      });
+    }
+  }
+
+  #onStatus(status, camera) {
+    this.#page.chip(chip(status), status.kind);
+    if (status.kind === "closed") return;
+    if (status.kind === "ready") this.#beginLoop(status.markers, camera);
+    else this.#endLoop();
+    this.#page.notice.show(sessionNotice(status), status.retryAt);
+  }
+
+  #beginLoop(markers, { width, height }) {
+    const { dictionary, ids } = markers;
+    const { quality } = this.#settings;
+    this.#markers = markers;
+    this.#markerSeenAt = performance.now();
+    this.#worker = new Worker("worker.js", { type: "module" });
+    this.#worker.postMessage({ kind: "setup", dictionary, ids, width, height, quality });
+    this.#loop = new FrameLoop(this.#worker, this.#session, {
+      skipped: () => ++this.#figures.skipped,
+      lost: () => ++this.#figures.lost,
+      found: (corners) => this.#onFound(corners),
+      answered: (composite, frame) => this.#show(composite, frame),
+      failed: (text) => {
+        this.#page.notice.show({ level: "error", title: "Markers cannot be searched", text });
+      },
+    });
+  }
+
+  #endLoop() {
+    this.#loop?.stop();
+    this.#worker?.terminate();
+    this.#loop = null;
+    this.#worker = null;
+  }
+
+  #onVideo(captured) {
+    if (!this.#started) return;
+    if (this.#loop) this.#loop.capture(this.#page.video, captured);
+    else this.#page.view.showVideo(this.#page.video);
+  }
+
+  #onFound(corners) {
+    const now = performance.now();
+    if (corners.length > 0) this.#markerSeenAt = now;
+    const missing = now - this.#markerSeenAt > NO_MARKER_AFTER_MS;
+    this.#page.notice.show(missing ? noMarkerNotice(this.#markers) : null);
+  }
+
+  #onFrameError({ code, text, frameId }) {
+    console.warn(`frame ${frameId}: ${code}: ${text}`);
+    // A frame with an unusable pose is answered all the same.
+    if (code !== "POSE_REJECTED") this.#loop?.refused(frameId);
+  }
+
+  async #show(composite, frame) {
+    const received = performance.now();
+    const { picture } = frame;
+    const bitmap = composite.unchanged
+      ? picture
+      : await createImageBitmap(new Blob([composite.jpeg], { type: "image/jpeg" }));
+    const decoded = performance.now();
+    if (!this.#loop) return; // ended meanwhile
+    const { view, readout } = this.#page;
+    view.show({ composite: bitmap, picture });
+    const used = new Set(composite.poses.map(({ marker }) => marker));
+    view.outline(this.outlines ? frame.corners.filter(({ marker }) => used.has(marker)) : []);
+    const shown = performance.now();
+    this.#figures.add(composite, frame, { received, decoded, shown });
+    readout.update(this.#figures, composite, frame, this.#loop.pace);
+  }
+}

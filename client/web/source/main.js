@@ -1,0 +1,67 @@
+// The page begins here: its elements are found and connected.
+import { App } from "./app.js";
+import { CompositeView } from "./composite_view.js";
+import { connectControls, togglePanel } from "./controls.js";
+import { Notice } from "./notice.js";
+import { Readout } from "./readout.js";
+import { loadSettings, saveSettings } from "./settings.js";
+import { SettingsForm } from "./settings_form.js";
+
+const element = (id) => document.getElementById(id);
+
+let settings = loadSettings();
+const keep = (changed) => {
+  settings = { ...settings, ...changed };
+  saveSettings(settings);
+};
+
+const view = new CompositeView(element("canvas"), element("outlines"), element("line"));
+const notice = new Notice(
+  {
+    card: element("notice"),
+    title: element("notice-title"),
+    text: element("notice-text"),
+    countdown: element("notice-countdown"),
+    action: element("notice-action"),
+  },
+  {
+    start: () => app.start(),
+    retry: () => app.retryNow(),
+    settings: () => {
+      togglePanel(true);
+      element("token").focus();
+    },
+  },
+);
+const readout = new Readout({
+  all: element("figures"),
+  summary: element("summary"),
+  stages: element("stages"),
+  frames: element("frames"),
+  markers: element("markers-used"),
+  passes: element("passes"),
+});
+const form = new SettingsForm(settings, (changed) => {
+  keep(changed);
+  app.apply(settings);
+});
+
+const page = {
+  video: element("video"),
+  view,
+  notice,
+  readout,
+  chip: (words, kind) => {
+    element("chip").textContent = words;
+    element("chip").dataset.kind = kind;
+  },
+  cameras: async (deviceId) => {
+    element("picture").classList.add("started");
+    await form.listCameras(deviceId);
+  },
+};
+const app = new App(page, settings);
+connectControls(view, settings, (markers) => {
+  app.outlines = markers;
+  keep({ markers });
+});

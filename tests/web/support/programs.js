@@ -1,0 +1,91 @@
+// Amalgam's own programs, run by a test.
+import { spawn, spawnSync } from "node:child_process";
+import { once } from "node:events";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { createInterface } from "node:readline";
+import { buildFolder, sourceFile } from "./places.js";
+
+const program = (name) => join(buildFolder(), "bin", name);
+
+export class Server {
+  #process;
+  /** host:port for native clients, and of the page. */
+  address = "";
+  web = "";
+
+  /** @returns {Promise<Server>} that listens, with a web port of its own or the one given */
+  static async start(scene, { webPort = 0, options = [] } = {}) {
+    const server = new Server();
+    const places = [
+      "--listen",
+      "127.0.0.1:0",
+      "--admin",
+      "127.0.0.1:0",
+      "--web",
+      `127.0.0.1:${webPort}`,
+    ];
+    const all = ["--scene", scene, ...places, "--log-level", "warn", ...options];
+    server.#process = spawn(program("amalgam-server"), all, {
+      stdio: ["ignore", "pipe", "inherit"],
+    });
+    for await (const line of createInterface({ input: server.#process.stdout })) {
+      const [, address] = /listening on (\S+)/.exec(line) ?? [];
+      if (!address) continue;
+      server.address = address;
+      server.web = / web (\S+)/.exec(line)[1];
+      return server;
+    }
+    throw new Error("amalgam-server ended before it listened");
+  }
+
+  get webPort() {
+    return Number(this.web.split(":").at(-1));
+  }
+
+  async stop() {
+    if (this.#process.exitCode !== null) return;
+    this.#process.kill("SIGTERM");
+    await once(this.#process, "exit");
+  }
+}
+
+/** Runs the native client until it ends, and returns its composites in the order of frames. */
+export function nativeComposites(address, source, frames) {
+  const folder = mkdtempSync(join(tmpdir(), "amalgam-native-"));
+  const options = [
+    "--server",
+    address,
+    "--lockstep",
+    "--frames",
+    String(frames),
+    "--output",
+    folder,
+  ];
+  const { status, stderr } = spawnSync(program("amalgam-client"), [...options, ...source]);
+  if (status !== 0) throw new Error(`amalgam-client: ${stderr}`);
+  const name = (i) => join(folder, `frame-${String(i + 1).padStart(6, "0")}.jpg`);
+  const composites = Array.from({ length: frames }, (_, i) => readFileSync(name(i)));
+  rmSync(folder, { recursive: true });
+  return composites;
+}
+
+/** Pictures of the synthetic desk as its camera takes them: what a server without objects sends. */
+export async function deskPictures(folder, size, frames) {
+  const scene = join(folder, "empty.gltf");
+  const empty = {
+    asset: { version: "2.0" },
+    scene: 0,
+    scenes: [{ extras: { amalgam: { world_marker: 40 } } }],
+  };
+  writeFileSync(scene, JSON.stringify(empty));
+  const server = await Server.start(scene, { options: ["--renderer", "raytrace"] });
+  try {
+    return nativeComposites(server.address, ["--synthetic", "--size", size], frames);
+  } finally {
+    await server.stop();
+  }
+}
+
+export const sceneFile = (name) => sourceFile(`deploy/scenes/${name}.gltf`);
