@@ -11,6 +11,13 @@
 namespace amalgam::report {
 namespace {
 
+tracking::SquareCorners corners_in_picture(const common::MarkerPose& pose, double marker_length,
+                                           const common::CameraModel& camera) {
+  const auto corners = tracking::project_square(pose, marker_length, camera);
+  if (!corners) throw std::runtime_error("the camera does not see the marker");
+  return *corners;
+}
+
 double mean_side(const tracking::SquareCorners& corners) {
   double sum = 0.0;
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -24,9 +31,7 @@ double mean_side(const tracking::SquareCorners& corners) {
 common::MarkerPose noisy_pose(const common::MarkerPose& true_pose, double marker_length,
                               const common::CameraModel& camera, double noise,
                               std::mt19937_64& random) {
-  const auto exact = tracking::project_square(true_pose, marker_length, camera);
-  if (!exact) throw std::runtime_error("the camera does not see the marker");
-  tracking::SquareCorners corners = *exact;
+  tracking::SquareCorners corners = corners_in_picture(true_pose, marker_length, camera);
   std::normal_distribution<double> normal(0.0, noise);
   if (noise > 0.0) {
     for (glm::dvec2& corner : corners) corner += glm::dvec2(normal(random), normal(random));
