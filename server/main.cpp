@@ -11,6 +11,7 @@
 #include "common/standard_streams.h"
 #include "frame/render_thread.h"
 #include "frame/rendering_threads.h"
+#include "net/memory_trim.h"
 #include "net/server.h"
 #include "protocol/protobuf_log.h"
 #include "server/reloader.h"
@@ -79,6 +80,7 @@ void serve(const ServerOptions& options, const ReloadOptions& reload_options) {
 
 int main(int argc, char** argv) {
   amalgam::common::open_closed_standard_streams();
+  amalgam::net::share_one_heap();
   // Whoever reads our output may go away; that is no reason to end before the time.
   return amalgam::common::run_program("amalgam-server", [&] {
     const std::optional<amalgam::ServerOptions> options = amalgam::parse_server_options(argc, argv);

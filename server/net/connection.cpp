@@ -250,6 +250,7 @@ void Connection::on_written(const ErrorCode& ec, std::size_t size) {
   if (state_ == State::Ended) return;
   if (ec) return lost(ec, "write");
   if (slot_.writing_answer()) conversation_.written(size);
+  if (size > protocol::kMaxControlBytes) context_.large_messages = true;
   slot_.end_write();
   std::string().swap(writing_);  // it may have been an image, whose memory assigning would keep
   deadlines_.write_ended();
@@ -313,7 +314,7 @@ void Connection::refused() {
   shared_.back_off.failed(ticket_->address(), Clock::now());
 }
 
-// Steps come from the renderer's thread, and the connection may have ended by then.
+// Steps come from the renderer's thread; the connection may have ended by then.
 std::function<void(Line::Step)> Connection::posting() {
   return [executor = transport_->socket().get_executor(), weak = weak_from_this()](Step step) {
     asio::post(executor, [weak, step = std::move(step)] {

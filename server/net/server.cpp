@@ -1,7 +1,5 @@
 #include "net/server.h"
 
-#include <malloc.h>
-
 #include <algorithm>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/post.hpp>
@@ -20,6 +18,7 @@
 #include "net/connection.h"
 #include "net/connection_limits.h"
 #include "net/listener.h"
+#include "net/memory_trim.h"
 #include "net/metrics.h"
 #include "net/quietly.h"
 #include "net/state_page.h"
@@ -171,7 +170,7 @@ class Server::Impl {
 
   void on_end(std::uint64_t session) {
     sessions_.erase(session);
-    gave_memory_back_ = true;
+    memory_trim_.left_behind();
     if (phase_ == Phase::Draining && sessions_.empty()) finish();
   }
 
@@ -206,20 +205,13 @@ class Server::Impl {
     tick();
   }
 
-  // Twice a second. What sessions and large messages have left behind in the allocator goes back to
-  // the system, but not so often that a busy server would always fetch it again.
+  // Twice a second.
   void tick() {
     if (phase_ == Phase::Finished) return;
     // Whoever restarts silent services hears nothing of one whose renderer is stuck.
     if (not_alive().empty()) tell_supervisor(ServiceState::Alive);
-    const Clock::time_point now = Clock::now();
-    const bool left_behind = gave_memory_back_ || (context_ && context_->large_messages);
-    if (left_behind && now - trimmed_ > protocol::kTrimInterval) {
-      ::malloc_trim(0);
-      trimmed_ = now;
-      gave_memory_back_ = false;
-      if (context_) context_->large_messages = false;
-    }
+    if (context_ && std::exchange(context_->large_messages, false)) memory_trim_.left_behind();
+    memory_trim_.tick(Clock::now());
     tick_timer_.expires_after(std::chrono::milliseconds(500));
     tick_timer_.async_wait([this](const boost::system::error_code& ec) {
       if (!ec) tick();
@@ -346,8 +338,7 @@ class Server::Impl {
   Phase phase_ = Phase::Loading;
   std::uint64_t last_session_ = 0;
   std::function<void()> reload_;
-  bool gave_memory_back_ = false;
-  Clock::time_point trimmed_{};
+  MemoryTrim memory_trim_;
   asio::io_context io_{1};  // one thread: no locks on sockets
   std::map<std::uint64_t, std::shared_ptr<Connection>> sessions_;
   Admin admin_;

@@ -9,6 +9,7 @@
 
 #include "faults/figure.h"
 #include "net/admission.h"
+#include "net/memory_trim.h"
 #include "net/process_figures.h"
 #include "support/net/test_server.h"
 
@@ -22,6 +23,7 @@ double resident_mib() {
 }
 
 TEST(Memory, LargeFramesLeaveNothingBehind) {
+  net::share_one_heap();  // as amalgam-server does
   net::ServerConfig config = test_config();
   config.connections.per_address = 64;
   // The sessions stay, silent as they are: one that ends gives all back.

@@ -44,6 +44,7 @@ TEST(Supervision, AReloadIsSaidAndEndsHoweverItEnds) {
 TEST(Supervision, TheWatchdogHearsNothingOfAStuckRenderer) {
   NotifySocket systemd;
   TestServer server;
+  ASSERT_TRUE(systemd.hears("READY=1"));
   ASSERT_TRUE(systemd.hears("WATCHDOG=1"));
   frame::ServiceLoad stuck;
   stuck.without_progress = 1h;

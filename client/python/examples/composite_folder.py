@@ -10,11 +10,13 @@ Pictures of another size than the first one are scaled to it. Exit codes: 0 all 
 import argparse
 import pathlib
 import sys
+import time
 
 import cv2
 
 import amalgam
 
+POSE_HOLD = 0.3  # seconds; PROTOCOL.md, CameraFrame, "Holding"
 SUFFIXES = {".jpg", ".jpeg", ".png", ".webp", ".bmp", ".tif", ".tiff"}
 
 
@@ -42,6 +44,7 @@ def progress(done, count, name):
 def composite_all(session, files, size, output):
     """How many were composited."""
     composited = 0
+    sent = -POSE_HOLD
     for number, file in enumerate(files):
         progress(number, len(files), file.name)
         picture = cv2.imread(str(file), cv2.IMREAD_COLOR | cv2.IMREAD_IGNORE_ORIENTATION)
@@ -49,6 +52,9 @@ def composite_all(session, files, size, output):
             note(f"{file.name}: skipped, it cannot be read")
             continue
         same = (picture.shape[1], picture.shape[0]) == size
+        # The server draws objects on for a moment when their marker is lost. These pictures are no film.
+        time.sleep(max(0.0, sent + POSE_HOLD - time.monotonic()))
+        sent = time.monotonic()
         try:
             composite = session.send(file if same else cv2.resize(picture, size, interpolation=cv2.INTER_AREA))
         except (amalgam.FrameRejected, amalgam.FrameTimeout) as error:
