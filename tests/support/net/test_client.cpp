@@ -3,6 +3,7 @@
 #include <arpa/inet.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
+#include <poll.h>
 #include <sys/socket.h>
 #include <sys/time.h>
 #include <unistd.h>
@@ -43,6 +44,12 @@ int connect_to(const common::HostPort& server, int receive_buffer) {
     throw std::runtime_error("connect to " + to_string(server) + ": " + std::strerror(errno));
   }
   return handle;
+}
+
+// Waits as long as a blocking socket would.
+bool wait_for(short events, int handle) {
+  pollfd waiting{.fd = handle, .events = events, .revents = 0};
+  return ::poll(&waiting, 1, static_cast<int>(kPatience.tv_sec) * 1000) == 1;
 }
 
 // To the end of the stream, and closes it.
@@ -86,6 +93,8 @@ bool TestClient::send_bytes(std::string_view stream) {
 bool TestClient::send_raw(std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t sent = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    // Asio, below WebWire, has made the socket one that does not wait.
+    if (sent < 0 && web_ && errno == EAGAIN && wait_for(POLLOUT, socket_)) continue;
     if (sent <= 0) return false;
     bytes.remove_prefix(static_cast<std::size_t>(sent));
   }
@@ -106,6 +115,7 @@ void TestClient::finish_sending() {
 
 std::size_t TestClient::receive_raw(std::size_t most, char* bytes) {
   std::string ignored(bytes ? 0 : most, '\0');
+  if (web_) wait_for(POLLIN, socket_);
   const ssize_t size = ::recv(socket_, bytes ? bytes : ignored.data(), most, 0);
   if (size < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) {
     throw std::runtime_error("nothing came for ten seconds");
