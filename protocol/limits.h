@@ -26,7 +26,10 @@ inline constexpr std::size_t kMaxTokenBytes = 1024;
 // --- contents ---
 inline constexpr std::uint32_t kMaxSide = 2048;               // pixels: the largest render target
 inline constexpr std::uint64_t kMaxPixels = 4 * 1024 * 1024;  // the same, as an area
-inline constexpr int kMaxPoses = 64;          // more markers than fit a desk at a readable size
+inline constexpr int kMaxPoses = 64;  // more markers than fit a desk at a readable size
+// Corners of one marker that are looked at in a frame: solving a pose takes some 70 us of the
+// thread that all clients share.
+inline constexpr int kMaxSameMarker = 2;
 inline constexpr double kMaxSmoothing = 1e6;  // cut-off in Hz and beta of Hello.smoothing
 inline constexpr int kMaxDistortion = 12;     // coefficients of OpenCV's rational thin-prism model
 inline constexpr std::uint32_t kMaxJpegQuality = 100;

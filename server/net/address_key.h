@@ -1,8 +1,12 @@
-// The part of an address that one party owns, by which connections and wrong tokens are counted.
+// Addresses as text: whole for logs, and the part that one party owns, by which connections and
+// wrong tokens are counted.
 #pragma once
 
 #include <boost/asio/ip/address.hpp>
+#include <boost/asio/ip/tcp.hpp>
 #include <string>
+
+#include "common/host_port.h"
 
 namespace amalgam::net {
 
@@ -21,6 +25,11 @@ inline std::string address_key(const boost::asio::ip::address& address) {
   ip::address_v6::bytes_type bytes = plain.to_v6().to_bytes();
   for (std::size_t i = 8; i < bytes.size(); ++i) bytes[i] = 0;
   return ip::address_v6(bytes).to_string() + "/64";
+}
+
+// For logs.
+inline std::string text_of(const boost::asio::ip::tcp::endpoint& endpoint) {
+  return to_string(common::HostPort{endpoint.address().to_string(), endpoint.port()});
 }
 
 }  // namespace amalgam::net

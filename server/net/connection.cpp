@@ -27,11 +27,6 @@ namespace {
 // Between two looks at an incomplete PROXY header.
 constexpr std::chrono::milliseconds kProxyPause{20};
 
-// For logs.
-std::string text_of(const asio::ip::tcp::endpoint& endpoint) {
-  return to_string(common::HostPort{endpoint.address().to_string(), endpoint.port()});
-}
-
 std::string peer_of(const asio::ip::tcp::socket& socket) {
   boost::system::error_code ec;
   const auto endpoint = socket.remote_endpoint(ec);

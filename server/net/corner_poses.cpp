@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "net/client_error.h"
 #include "protocol/limits.h"
@@ -58,7 +59,9 @@ CornerPoses::Solved CornerPoses::solve(const Corners& corners,
   }
   Solved solved;
   std::vector<tracking::DetectedMarker> detected;
+  std::map<int, int> of_id;
   for (const protocol::MarkerCorners& wire : corners) {
+    if (++of_id[wire.marker()] > protocol::kMaxSameMarker) continue;
     if (const auto marker = marker_from(wire, camera_)) {
       detected.push_back(*marker);
     } else {

@@ -35,6 +35,16 @@ CameraModel all_coefficients() {
   return camera;
 }
 
+// The outer edges of the outermost pixels are half the angle from the axis.
+TEST(CameraModel, ACameraOfAViewIsThatWide) {
+  const CameraModel camera = camera_of_view(640, 480, 90.0);
+  EXPECT_NEAR(camera.fx, 320.0, 1e-9);
+  EXPECT_EQ(camera.fy, camera.fx);
+  EXPECT_EQ(camera.cx, 319.5);
+  EXPECT_EQ(camera.cy, 239.5);
+  EXPECT_EQ(default_camera(640, 480), camera_of_view(640, 480, 60.0));
+}
+
 TEST(CameraModel, DistortionMatchesTheWrittenOutModel) {
   const CameraModel camera = photograph_camera();
   const double x = 0.3, y = -0.2, r2 = x * x + y * y;

@@ -140,6 +140,22 @@ TEST_F(ConversationTest, PosesOfCornersAreSolvedAndEchoed) {
   EXPECT_NEAR(glm::distance(poses[1].translation, facing(40, 0.02).translation), 0.0, 1e-4);
 }
 
+// Or a small message would cost the thread of all clients 64 solutions.
+TEST_F(ConversationTest, OfOneMarkersCornersTwoAreSolved) {
+  hear(test::hello_message());
+  Envelope first = test::frame_message(1);
+  add_corners(first, facing(40, 0.1));
+  hear(first);
+  ASSERT_TRUE(line_.run_one());
+  Envelope frame = test::frame_message(2);
+  for (const double x : {-0.1, 0.0, 0.1}) add_corners(frame, facing(40, x));
+  hear(frame);
+  ASSERT_TRUE(line_.run_one());
+  ASSERT_EQ(line_.answers.size(), 2u);
+  ASSERT_EQ(line_.answers[1].frame.poses.size(), 1u);
+  EXPECT_NEAR(line_.answers[1].frame.poses[0].translation.x, 0.0, 1e-4);
+}
+
 TEST_F(ConversationTest, APoseWinsOverTheCornersOfItsMarker) {
   hear(test::hello_message());
   Envelope frame = test::frame_message(41);
