@@ -48,12 +48,12 @@ TEST_P(HostileBytes, APoseBombIsNeitherKeptNorParsed) {
   const ControlClient::Felt alone = ControlClient::feel_alone(server.server().address());
   ControlClient control(server.server().address());
   TestClient bomber = server.session();
-  const std::string bomb = pose_bomb(2'000'000);
+  const std::string bomb = bomber.on_the_wire(pose_bomb(2'000'000));
   const double before = resident_mib();
   double most = before, slowest_ms = 0.0;
   for (int i = 0; i < 10; ++i) {
     const auto begin = Clock::now();
-    bomber.send_bytes(bomb);
+    bomber.send_raw(bomb);
     const Error error = bomber.expect_error(Error::TOO_MANY_POSES);
     slowest_ms = std::max(slowest_ms,
                           std::chrono::duration<double, std::milli>(Clock::now() - begin).count());

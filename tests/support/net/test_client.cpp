@@ -87,7 +87,11 @@ TestClient::~TestClient() {
 }
 
 bool TestClient::send_bytes(std::string_view stream) {
-  return send_raw(web_ ? std::string_view(web_->frames_of(stream)) : stream);
+  return web_ ? send_raw(on_the_wire(stream)) : send_raw(stream);
+}
+
+std::string TestClient::on_the_wire(std::string_view stream) {
+  return web_ ? web_->frames_of(stream) : std::string(stream);
 }
 
 bool TestClient::send_raw(std::string_view bytes) {

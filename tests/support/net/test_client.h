@@ -28,12 +28,16 @@ class TestClient {
   TestClient& operator=(TestClient&&) = delete;
   ~TestClient();
 
+  // What send_bytes() sends for this stream, and sending just that: for who measures memory
+  // meanwhile.
+  std::string on_the_wire(std::string_view stream);
+  bool send_raw(std::string_view bytes);
+
   // False if the server has closed.
   bool send(const protocol::Envelope& envelope) { return send_bytes(protocol::encode(envelope)); }
   // Of a stream of Envelopes with lengths, which becomes WebSocket's frames where due.
   bool send_bytes(std::string_view stream);
   // Exactly these.
-  bool send_raw(std::string_view bytes);
   void finish_sending();
 
   // The next message that is not a Ping (those are answered, unless told not to); nothing at the
