@@ -122,6 +122,7 @@ TEST_P(HostileBytes, AnEnvelopeHasOneBody) {
 TEST_P(HostileBytes, LengthsAllocateNothing) {
   TestServer server(test_config(), GetParam());
   std::vector<TestClient> clients;
+  clients.reserve(12);
   for (int i = 0; i < 12; ++i) clients.push_back(server.session());
   const double before = resident_mib();
   for (TestClient& client : clients) {
