@@ -10,6 +10,7 @@ namespace amalgam::gl {
 void report_gl_errors();
 
 // Throws std::runtime_error if an error is pending, such as GL_OUT_OF_MEMORY after an allocation.
+// The error is not pending any more then.
 void throw_pending_gl_error(const std::string& doing);
 
 }  // namespace amalgam::gl

@@ -11,6 +11,9 @@
 namespace amalgam::gl {
 namespace {
 
+// Errors stay pending until they are asked for, so this tells of everything that was drawn before.
+constexpr const char* kReading = "drawing or reading a texture";
+
 struct FormatInfo {
   GLenum internal;
   GLenum external;
@@ -94,6 +97,7 @@ void Texture::upload(const void* texels) {
   const FormatInfo info = describe(format_);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   glTextureSubImage2D(id_, 0, 0, 0, size_.x, size_.y, info.external, info.type, texels);
+  throw_pending_gl_error("uploading a texture");
 }
 
 void Texture::read(void* texels, std::size_t bytes) const {
@@ -105,6 +109,7 @@ void Texture::read(void* texels, std::size_t bytes) const {
                 std::to_string(bytes) + " bytes for " + std::to_string(expected));
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glGetTextureImage(id_, 0, info.external, info.type, static_cast<GLsizei>(bytes), texels);
+  throw_pending_gl_error(kReading);
 }
 
 void Texture::read_part(glm::ivec2 first, glm::ivec2 size, void* texels, std::size_t bytes,
@@ -117,6 +122,7 @@ void Texture::read_part(glm::ivec2 first, glm::ivec2 size, void* texels, std::si
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glGetTextureSubImage(id_, 0, first.x, first.y, layer, size.x, size.y, 1, info.external, info.type,
                        static_cast<GLsizei>(bytes), texels);
+  throw_pending_gl_error(kReading);
 }
 
 void Texture::clear_part(glm::ivec2 first, glm::ivec2 size, float value) const {

@@ -29,13 +29,15 @@ class Texture {
   int layers() const { return layers_; }
   bool is_array() const { return layers_ > 0; }
 
-  // Rows of tightly packed texels, top row first. Two-dimensional textures only.
+  // Rows of tightly packed texels, top row first. Two-dimensional textures only. All throw
+  // std::runtime_error if this or anything that was drawn before failed in the driver.
   void upload(const void* texels);
   void read(void* texels, std::size_t bytes) const;  // bytes: exactly what the texture holds
   // size texels from first on, of one layer of an array. bytes as for read().
   void read_part(glm::ivec2 first, glm::ivec2 size, void* texels, std::size_t bytes,
                  int layer = 0) const;
-  // Sets every channel of a part of a two-dimensional float or depth texture.
+  // Sets every channel of a part of a two-dimensional float or depth texture. An error stays
+  // pending (gl/gl_error.h).
   void clear_part(glm::ivec2 first, glm::ivec2 size, float value) const;
 
   // Makes texels outside 0: as reversed depth, infinitely far.

@@ -9,6 +9,7 @@
 #include <glm/matrix.hpp>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "common/log.h"
 #include "trace/embree_isa.h"
@@ -33,6 +34,14 @@ using Geometry = std::unique_ptr<RTCGeometryTy, GeometryDeleter>;
 
 void report_error(void*, RTCError code, const char* text) {
   common::log_error("embree error " + std::to_string(code) + ": " + (text ? text : ""));
+}
+
+// Embree's calls return nothing that could tell: what they built may be empty.
+void throw_pending_error(RTCDevice device, const std::string& doing) {
+  const RTCError code = rtcGetDeviceError(device);
+  if (code != RTC_ERROR_NONE) {
+    throw std::runtime_error(doing + ": embree error " + std::to_string(code));
+  }
 }
 
 // Robust: no cracks at shared edges (numerics B11). The filters are for rays that
@@ -61,6 +70,7 @@ SceneHandle build_mesh(RTCDevice device, const scene::Mesh& mesh) {
   rtcSetSceneBuildQuality(built.get(), RTC_BUILD_QUALITY_HIGH);
   rtcAttachGeometry(built.get(), geometry.get());
   rtcCommitScene(built.get());
+  throw_pending_error(device, "the BVH of mesh '" + mesh.name + "'");
   return built;
 }
 
@@ -187,6 +197,7 @@ EmbreeScene::EmbreeScene(const scene::Scene& scene)
     impl_->instances.push_back(std::move(geometry));
   }
   rtcCommitScene(impl_->top.get());
+  throw_pending_error(impl_->device.get(), "the BVH of the scene");
 
   for (const scene::Mesh& mesh : scene.meshes) triangles_.push_back(mesh_triangles(mesh));
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
@@ -221,13 +232,14 @@ bool EmbreeScene::is_valid(const Ray& ray) const {
 }
 
 bool EmbreeScene::is_placed(const scene::AnchoredScene& anchored) const {
-  return placements(anchored) == last_placed_;
+  return whole_ && placements(anchored) == last_placed_;
 }
 
 void EmbreeScene::place(const scene::AnchoredScene& anchored) {
   Placements next = placements(anchored);
+  const bool were_whole = std::exchange(whole_, false);
   for (std::size_t i = 0; i < next.size(); ++i) {
-    if (next[i] == last_placed_[i]) continue;
+    if (were_whole && next[i] == last_placed_[i]) continue;
     RTCGeometry geometry = impl_->instances[i].get();
     if (next[i]) {
       placed_[i].place(*next[i]);
@@ -240,6 +252,8 @@ void EmbreeScene::place(const scene::AnchoredScene& anchored) {
     rtcCommitGeometry(geometry);
   }
   rtcCommitScene(impl_->top.get());
+  throw_pending_error(impl_->device.get(), "placing the scene's objects");
+  whole_ = true;
   last_placed_ = std::move(next);
   start_range_ = kFarthestStart;
   for (const auto& placement : last_placed_) {

@@ -79,7 +79,7 @@ class PassedSurfaces {
 class EmbreeScene {
  public:
   // Builds the static BVHs. Throws std::runtime_error if Embree cannot start, or not with the
-  // instruction set asked for (trace/embree_isa.h).
+  // instruction set asked for (trace/embree_isa.h), or if it has no memory.
   explicit EmbreeScene(const scene::Scene& scene);
   ~EmbreeScene();
   EmbreeScene(const EmbreeScene&) = delete;
@@ -90,7 +90,8 @@ class EmbreeScene {
 
   // Moves the instances that have not and commits the top level. Must not run while rays are
   // traced. Instances that Embree cannot count with (trace/embree_range.h) are left out, and named
-  // in the log once.
+  // in the log once. Throws std::runtime_error if Embree has no memory; everything is placed anew
+  // then by the next call.
   void place(const scene::AnchoredScene& anchored);
 
   // The nearest hit. Rays that are not finite, or start out of range, meet nothing (numerics B12).
@@ -135,6 +136,7 @@ class EmbreeScene {
   bool anything_passes_light_ = false;
   double start_range_ = 0.0;  // of all placed instances (trace/embree_range.h)
   Placements last_placed_;
+  bool whole_ = true;  // the last placing did not fail
   std::unique_ptr<Impl> impl_;
 };
 

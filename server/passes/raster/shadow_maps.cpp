@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gl/framebuffer.h"
+#include "gl/gl_error.h"
 #include "gl/pipeline_state.h"
 #include "gl/shader_interface.h"
 #include "passes/raster/draw_items.h"
@@ -131,6 +132,7 @@ graph::Handle<ShadowMap> add_caster_class(graph::FrameGraph& graph, const Shadow
   const auto out = builder.writes<ShadowMap>(resource);
   builder.runs([in, casters, lights, out, &entry](const graph::Access& access) {
     const SharedLights& device_lights = access.get(lights);
+    entry.drawn_for.reset();  // what fails half-way holds for no lights
     const gl::Texture& image = ensure_layers(entry.image, casters, device_lights->layout);
     device_lights->layers.bind_storage(gl::kShadowLayerBinding);
     for (int layer = 0; layer < image.layers(); ++layer) {
@@ -140,6 +142,7 @@ graph::Handle<ShadowMap> add_caster_class(graph::FrameGraph& graph, const Shadow
       draw_layer(in.raster, access.get(in.device_view), casters, image, layer);
     }
     glFinish();  // or a later pass would be charged for this pass's time
+    gl::throw_pending_gl_error("drawing shadow maps");
     if (is_virtual(casters)) {
       entry.cells =
           std::make_shared<const CasterCells>(CasterCells::of(image, device_lights->layout.size));
