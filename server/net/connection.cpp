@@ -1,10 +1,8 @@
 #include "net/connection.h"
 
-#include <array>
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/error.hpp>
 #include <boost/asio/post.hpp>
-#include <boost/asio/read.hpp>
 #include <boost/asio/ssl/error.hpp>
 #include <utility>
 
@@ -65,7 +63,6 @@ void Connection::start() {
 
 // --- before the conversation ---
 
-// Looked at before it is taken, so that nothing behind the header is taken with it.
 void Connection::read_proxy_header() {
   transport_->socket().async_wait(asio::ip::tcp::socket::wait_read,
                                   [self = shared_from_this()](const ErrorCode& ec) {
@@ -76,19 +73,13 @@ void Connection::read_proxy_header() {
 void Connection::on_proxy_bytes(const ErrorCode& failed) {
   if (state_ == State::Ended) return;
   if (failed) return lost(failed, "read");
-  ErrorCode ec;
-  std::array<std::byte, kMaxProxyHeaderBytes> bytes;
-  const std::size_t size =
-      transport_->socket().receive(asio::buffer(bytes), asio::ip::tcp::socket::message_peek, ec);
-  if (ec) return lost(ec, "read");
-  const auto parsed = parse_proxy_header(std::span(bytes).first(size));
-  if (const auto* defect = std::get_if<ProxyDefect>(&parsed)) {
+  const ProxyRead taken = take_proxy_header(transport_->socket());
+  if (const auto* ec = std::get_if<ErrorCode>(&taken)) return lost(*ec, "read");
+  if (const auto* defect = std::get_if<ProxyDefect>(&taken)) {
     return fail(Error::PROTOCOL_ERROR, defect->what);
   }
-  if (std::holds_alternative<ProxyNeedsMore>(parsed)) return wait_for_proxy();
-  const auto& header = std::get<ProxyHeader>(parsed);
-  asio::read(transport_->socket(), asio::buffer(bytes, header.bytes), ec);
-  if (ec) return lost(ec, "read");
+  if (std::holds_alternative<ProxyNeedsMore>(taken)) return wait_for_proxy();
+  const auto& header = std::get<ProxyHeader>(taken);
   // Whoever is refused is not worth a TLS handshake; without one it can be told why.
   if (header.client && !is_admitted(*header.client) && transport_->encrypted()) return;
   open();
@@ -216,8 +207,8 @@ void Connection::send_last(const Envelope& message) {
 void Connection::write() {
   // Before the handshake is over nothing can be said: the client would take it for a part of that.
   if (!opened_) return;
-  const bool may_answer = unread_.size() < protocol::kMaxUnreadComposites;
-  std::optional<std::string> bytes = slot_.begin_write(conversation_.skipped(), may_answer);
+  std::optional<std::string> bytes =
+      slot_.begin_write(conversation_.skipped(), pings_.may_write_composite());
   if (!bytes) return;
   writing_ = std::move(*bytes);
   if (slot_.writing_answer()) append_ping();
@@ -228,16 +219,14 @@ void Connection::write() {
                     });
 }
 
-// The pong will tell that the composite was read, wherever buffers are between us and the reader.
 void Connection::append_ping() {
-  writing_ += protocol::encode(ping_message(++pings_));
-  unread_.push_back({pings_, Clock::now()});
-  deadlines_.unread_since(unread_.front().written);
+  writing_ += protocol::encode(ping_message(pings_.after_composite(Clock::now())));
+  deadlines_.unread_since(pings_.unread_since());
 }
 
 void Connection::heard_pong(std::uint64_t nonce) {
-  while (!unread_.empty() && unread_.front().nonce <= nonce) unread_.pop_front();
-  deadlines_.unread_since(unread_.empty() ? std::nullopt : std::optional(unread_.front().written));
+  pings_.heard_pong(nonce, Clock::now());
+  deadlines_.unread_since(pings_.unread_since());
   write();
 }
 
@@ -272,7 +261,7 @@ void Connection::on_time(const ErrorCode& ec) {
     return wait();
   }
   if (const auto passed = deadlines_.passed(now)) return on_passed(*passed);
-  if (deadlines_.ping_due(now)) send(ping_message(++pings_));
+  if (deadlines_.ping_due(now)) send(ping_message(pings_.next(now)));
   wait();
 }
 
@@ -302,6 +291,8 @@ void Connection::welcomed() {
   shared_.back_off.succeeded(ticket_->address());
   decoder_.set_limits(protocol::limits_of_server());
   deadlines_.authenticated(Clock::now());
+  // Before there are composites to hold it up.
+  send(ping_message(pings_.next(Clock::now())));
   wait();
 }
 

@@ -8,7 +8,6 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -20,6 +19,7 @@
 #include "net/connection_limits.h"
 #include "net/conversation.h"
 #include "net/deadlines.h"
+#include "net/read_pings.h"
 #include "net/transport.h"
 #include "net/write_slot.h"
 #include "protocol/framing.h"
@@ -103,12 +103,7 @@ class Connection : public std::enable_shared_from_this<Connection>, private Line
   State state_ = State::Open;
   Deadlines deadlines_;
   Clock::time_point linger_end_{};
-  std::uint64_t pings_ = 0;
-  struct Unread {
-    std::uint64_t nonce;  // of the ping that followed the composite
-    Clock::time_point written;
-  };
-  std::deque<Unread> unread_;
+  ReadPings pings_;
 
   std::vector<std::byte> read_buffer_;
   protocol::Decoder decoder_;

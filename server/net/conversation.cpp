@@ -76,8 +76,8 @@ void Conversation::on_hello(const protocol::Hello& hello) {
   state_ = State::Running;  // from here on leave() gives back what was taken
   view_ = context_.service.open_view(options, posting(&Conversation::on_rendered));
   context_.metrics.session_opened();
-  line_.welcomed();
   line_.send(welcome_message(id_, context_.config.session, context_.service.markers()));
+  line_.welcomed();
   common::log_info(common::LogKind::Session, name() + ": " + std::to_string(camera_.width) + " x " +
                                                  std::to_string(camera_.height));
 }

@@ -47,7 +47,8 @@ class Line {
   virtual bool send_answer(Answer answer) = 0;
   // An Error or Busy that ends the conversation: nothing else that waits is written before it.
   virtual void send_last(const protocol::Envelope& message) = 0;
-  // The hello was accepted: larger messages are taken and the client is pinged.
+  // The hello was accepted, and the Welcome sent: larger messages are taken and the client is
+  // pinged, at once for the first time.
   virtual void welcomed() = 0;
   // The client gave a wrong token, or failed to prove what it had to.
   virtual void refused() = 0;

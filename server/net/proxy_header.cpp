@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/asio/buffer.hpp>
 #include <boost/asio/ip/address.hpp>
+#include <boost/asio/read.hpp>
 #include <cstdint>
 
 namespace amalgam::net {
@@ -59,6 +61,20 @@ std::variant<ProxyHeader, ProxyNeedsMore, ProxyDefect> parse_proxy_header(
                           big_endian(input, kFixed + 32));
   }
   return header;
+}
+
+ProxyRead take_proxy_header(ip::tcp::socket& socket) {
+  boost::system::error_code ec;
+  std::array<std::byte, kMaxProxyHeaderBytes> bytes;
+  const std::size_t size =
+      socket.receive(boost::asio::buffer(bytes), ip::tcp::socket::message_peek, ec);
+  if (ec) return ec;
+  const auto parsed = parse_proxy_header(std::span(bytes).first(size));
+  if (const auto* header = std::get_if<ProxyHeader>(&parsed)) {
+    boost::asio::read(socket, boost::asio::buffer(bytes, header->bytes), ec);
+    if (ec) return ec;
+  }
+  return std::visit([](const auto& result) -> ProxyRead { return result; }, parsed);
 }
 
 }  // namespace amalgam::net

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <boost/asio/ip/tcp.hpp>
+#include <boost/system/error_code.hpp>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -27,5 +28,10 @@ inline constexpr std::size_t kMaxProxyHeaderBytes = 16 + 1024;
 
 std::variant<ProxyHeader, ProxyNeedsMore, ProxyDefect> parse_proxy_header(
     std::span<const std::byte> input);
+
+// Takes the header that has arrived at a socket, and nothing behind it. What is not complete stays
+// where it is.
+using ProxyRead = std::variant<ProxyHeader, ProxyNeedsMore, ProxyDefect, boost::system::error_code>;
+ProxyRead take_proxy_header(boost::asio::ip::tcp::socket& socket);
 
 }  // namespace amalgam::net

@@ -1,6 +1,5 @@
 #include "net/server.h"
 
-#include <algorithm>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/signal_set.hpp>
@@ -21,7 +20,7 @@
 #include "net/memory_trim.h"
 #include "net/metrics.h"
 #include "net/quietly.h"
-#include "net/state_page.h"
+#include "net/status.h"
 #include "net/supervisor.h"
 #include "net/tcp_transport.h"
 #include "net/tls.h"
@@ -34,7 +33,6 @@ namespace amalgam::net {
 namespace {
 
 namespace asio = boost::asio;
-using Clock = std::chrono::steady_clock;
 
 }  // namespace
 
@@ -46,9 +44,9 @@ class Server::Impl {
         admission_(config.admission),
         tls_(make_tls_context(config.tls)),
         admin_(io_, config.admin, config.connections.admin,
-               {.not_alive = [this] { return not_alive(); },
-                .not_ready = [this] { return not_ready(); },
-                .metrics = [this] { return metrics_.text(gauges()); },
+               {.not_alive = [this] { return status_.not_alive(); },
+                .not_ready = [this] { return status_.not_ready(phase_); },
+                .metrics = [this] { return metrics_.text(status_.gauges()); },
                 .state = [this] { return state(); }}),
         listener_(
             io_, config.listen, config_, limits_, back_off_, metrics_,
@@ -62,7 +60,9 @@ class Server::Impl {
         signals_(io_),
         drain_timer_(io_),
         tick_timer_(io_) {
-    if (config.agent) agent_.emplace(io_, *config.agent, [this] { return agent_answer(); });
+    if (config.agent) {
+      agent_.emplace(io_, *config.agent, [this] { return status_.agent_answer(phase_); });
+    }
     if (config.web) listen_to_browsers(*config.web);
     admin_.start();
     if (agent_) agent_->start();
@@ -76,6 +76,7 @@ class Server::Impl {
     if (web_) web_->listen();
     asio::post(io_, [this, &service] {
       if (phase_ != Phase::Loading) return;
+      status_.set_service(service);
       context_.emplace(ServerContext{config_, service, metrics_, admission_, false});
       shared_.emplace(Connection::Shared{*context_, limits_, back_off_});
       listener_.start();
@@ -146,9 +147,6 @@ class Server::Impl {
   }
 
  private:
-  // Leaving: still serves everybody, but tells load balancers to look elsewhere.
-  enum class Phase { Loading, Serving, Leaving, Draining, Finished };
-
   void listen_to_browsers(const common::HostPort& address) {
     web_.emplace(io_, address, config_, limits_, back_off_, metrics_, busy_answer,
                  [this](Listener::Admitted admitted) {
@@ -209,9 +207,9 @@ class Server::Impl {
   void tick() {
     if (phase_ == Phase::Finished) return;
     // Whoever restarts silent services hears nothing of one whose renderer is stuck.
-    if (not_alive().empty()) tell_supervisor(ServiceState::Alive);
+    if (status_.not_alive().empty()) tell_supervisor(ServiceState::Alive);
     if (context_ && std::exchange(context_->large_messages, false)) memory_trim_.left_behind();
-    memory_trim_.tick(Clock::now());
+    memory_trim_.tick(std::chrono::steady_clock::now());
     tick_timer_.expires_after(std::chrono::milliseconds(500));
     tick_timer_.async_wait([this](const boost::system::error_code& ec) {
       if (!ec) tick();
@@ -268,61 +266,10 @@ class Server::Impl {
     return copy;
   }
 
-  frame::ServiceLoad load() const {
-    return context_ ? context_->service.load() : frame::ServiceLoad{};
-  }
-
-  std::string not_alive() const {
-    const frame::ServiceLoad now = load();
-    const auto ms = [](std::chrono::milliseconds time) {
-      return std::to_string(time.count()) + " ms";
-    };
-    if (now.without_progress >= config_.stuck_after) {
-      return "the renderer has made no progress for " + ms(now.without_progress);
-    }
-    if (now.reloading >= config_.stuck_reload_after) {
-      return "a new renderer has been under way for " + ms(now.reloading);
-    }
-    return "";
-  }
-
-  Gauges gauges() const {
-    return {.connections = limits_.total(),
-            .unauthenticated = limits_.unauthenticated(),
-            .session_memory = admission_.memory(),
-            .load = load(),
-            .dropped_log_lines = common::dropped_log_lines()};
-  }
-
-  std::string not_ready() const {
-    switch (phase_) {
-      case Phase::Loading:
-        return "loading";
-      case Phase::Serving:
-        if (limits_.full()) return "full";
-        if (limits_.full_of_strangers()) return "too many connections without a hello";
-        return "";
-      case Phase::Leaving:
-      case Phase::Draining:
-      case Phase::Finished:
-        return "draining";
-    }
-    return "";
-  }
-
-  std::string agent_answer() const {
-    if (phase_ != Phase::Serving) return "drain\n";
-    return agent_line(std::min(limits_.free_part(), admission_.free_part(load())));
-  }
-
   std::string state() const {
-    ServerReport report;
-    report.not_ready = not_ready();
-    report.ray_tracer = config_.ray_tracer;
-    report.uptime = std::chrono::duration_cast<std::chrono::seconds>(Clock::now() - started_);
-    report.connections = limits_.total();
-    for (const auto& [id, session] : sessions_) report.sessions.push_back(session->report());
-    return state_json(report);
+    std::vector<SessionReport> sessions;
+    for (const auto& [id, session] : sessions_) sessions.push_back(session->report());
+    return status_.state(phase_, std::move(sessions));
   }
 
   // In the order of dependence: what is destroyed first may still use what stands above it.
@@ -331,10 +278,10 @@ class Server::Impl {
   ConnectionLimits limits_;
   BackOff back_off_;
   Admission admission_;
+  Status status_{config_, limits_, admission_};
   std::shared_ptr<asio::ssl::context> tls_;
   std::optional<ServerContext> context_;
   std::optional<Connection::Shared> shared_;
-  Clock::time_point started_ = Clock::now();
   Phase phase_ = Phase::Loading;
   std::uint64_t last_session_ = 0;
   std::function<void()> reload_;

@@ -2,10 +2,12 @@
 // that is slow gets fewer frames, and new ones.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <map>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "faults/control_client.h"
 #include "faults/figure.h"
@@ -91,27 +93,28 @@ TEST(ReadersOverTcp, AMegabitASecondGetsFewerFramesAndNewOnes) {
     sent[++last_sent] = Clock::now();
     client.send(frame_message(last_sent, jpeg));
   });
-  double oldest = 0.0;  // seconds, of a composite when it has arrived
-  std::size_t received = 0;
+  std::vector<double> ages;  // seconds, of composites when they have arrived
   std::uint64_t last = 0;
   while (Clock::now() - begin < std::chrono::milliseconds(1800)) {
     const auto composite = client.expect(Envelope::kComposite).composite();
     EXPECT_GT(composite.frame_id(), last);
     last = composite.frame_id();
-    oldest = std::max(oldest, std::chrono::duration<double>(Clock::now() - sent.at(last)).count());
-    ++received;
+    ages.push_back(std::chrono::duration<double>(Clock::now() - sent.at(last)).count());
   }
-  const double rate =
-      static_cast<double>(received) / std::chrono::duration<double>(Clock::now() - begin).count();
+  const double rate = static_cast<double>(ages.size()) /
+                      std::chrono::duration<double>(Clock::now() - begin).count();
+  std::ranges::sort(ages);
+  const double oldest = ages.back(), usual = ages[ages.size() * 9 / 10];
   const auto felt = control.end();
   print_figure("10", "composites a second of 50 frames", rate, "", "what the link carries, 10");
-  print_figure("10", "oldest composite when it arrived", oldest / kTransfer, "transfer times",
-               "<= 2, and a frame's period");
+  print_figure("10", "age of nine in ten composites", usual / kTransfer, "transfer times", "<= 2");
+  print_figure("10", "age of the oldest composite", oldest / kTransfer, "transfer times", "<= 2");
   expect_unharmed("10", alone, felt);
   EXPECT_GT(rate, 6.0);
   EXPECT_LT(rate, 12.0);
-  // Two on their way, and the period of the frames, after which the newest is chosen. Without a
-  // bound the composites of 1.8 s would wait in line.
+  // One on its way, and the period of the frames, of which the newest is chosen. Ticks come late on
+  // a busy machine, so the oldest of all has some room.
+  EXPECT_LT(usual, 2.0 * kTransfer);
   EXPECT_LT(oldest, 2.0 * kTransfer + 0.15);
   EXPECT_TRUE(server.service.wait_views(1, std::chrono::milliseconds(1000)))
       << "evicted, or control stays";

@@ -52,7 +52,7 @@ TEST(WebSessions, TheAnswerIsWebSockets) {
   const std::string frame = first_bytes(client);
   ASSERT_GT(frame.size(), 2u);
   EXPECT_EQ(frame[0], '\x82');
-  EXPECT_EQ(static_cast<std::size_t>(frame[1]), frame.size() - 2);
+  EXPECT_LE(static_cast<std::size_t>(frame[1]), frame.size() - 2);  // a Ping may follow
   EXPECT_EQ(frame[2], '\x3a');
 }
 
@@ -108,7 +108,9 @@ TEST(WebSessions, ABrowsersCloseIsAnswered) {
   client.send_raw(web_frame(0x82, hello_message().SerializeAsString()));
   first_bytes(client);
   client.send_raw(web_frame(0x88, "\x03\xe8"));
-  EXPECT_EQ(first_bytes(client), "\x88\x02\x03\xe8");
+  std::string farewell = first_bytes(client);
+  if (farewell == "\x82\x04\x22\x02\x08\x01") farewell = first_bytes(client);  // the first Ping
+  EXPECT_THAT(farewell, testing::EndsWith("\x88\x02\x03\xe8"));
   EXPECT_EQ(first_bytes(client), "");
   EXPECT_TRUE(server.service.wait_views(0));
 }
