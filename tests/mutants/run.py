@@ -218,12 +218,19 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("mutants", nargs="*", help="names or globs, such as 'trace/*'; all if none")
     parser.add_argument("--list", action="store_true", help="name them and the mistakes, and end")
+    parser.add_argument("--check", action="store_true",
+                        help="only say which no longer fit the sources, and end")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="of the build")
     parser.add_argument("--limit", type=float, default=120.0, help="seconds a test may take")
     parser.add_argument("--keep", action="store_true", help="do not remove the copy")
     parser.add_argument("--folder", type=pathlib.Path, help="for the copy; used again, and kept")
     options = parser.parse_args()
     mutants = read_mutants(options.mutants)
+    if options.check:
+        stale = [m.name for m in mutants if mutated(ROOT, m) is None]
+        for name in stale:
+            print(f"stale: {name}: the old text must occur once in its file")
+        return 1 if stale else 0
     if options.list:
         for m in mutants:
             stale = " (stale)" if mutated(ROOT, m) is None else ""
