@@ -3,12 +3,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <sstream>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "faults/figure.h"
 #include "faults/server_process.h"
@@ -91,6 +95,58 @@ TEST_F(ServerProgram, AClosedStandardErrorStaysClosed) {
   client.expect_error(protocol::Error::UNEXPECTED_MESSAGE);
   const std::string link = "/proc/" + std::to_string(server.id()) + "/fd/2";
   EXPECT_EQ(fs::read_symlink(link), "/dev/null");
+  server.signal(SIGTERM);
+  EXPECT_GE(server.wait(25s), 0.0);
+  EXPECT_EQ(server.exit_code(), 0);
+}
+
+// Of all its threads.
+double cpu_seconds(pid_t process) {
+  std::ifstream file("/proc/" + std::to_string(process) + "/stat");
+  std::string text((std::istreambuf_iterator<char>(file)), {});
+  // Fields 14 and 15; the second is the name, which may have spaces.
+  std::istringstream fields(text.substr(text.rfind(')') + 1));
+  std::string skipped;
+  for (int field = 3; field < 14; ++field) fields >> skipped;
+  double user = 0.0, system = 0.0;
+  fields >> user >> system;
+  return (user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK));
+}
+
+TEST_F(ServerProgram, WithoutFreeDescriptorsItWaitsAndServesWhomItHas) {
+  ServerProcess server({"--scene", kScenes + "diffuse.gltf", "--max-per-address", "1000",
+                        "--max-unauthenticated", "1000"},
+                       null_);
+  TestClient client(server.address());
+  client.send(hello_message());
+  client.expect(Envelope::kWelcome);
+  const rlimit few{64, 64};
+  ASSERT_EQ(::prlimit(server.id(), RLIMIT_NOFILE, &few, nullptr), 0);
+  {
+    std::vector<TestClient> others;
+    for (int i = 0; i < 100; ++i) others.emplace_back(server.address());
+    std::this_thread::sleep_for(300ms);
+    const double before = cpu_seconds(server.id());
+    std::this_thread::sleep_for(1200ms);
+    const double share = (cpu_seconds(server.id()) - before) / 1.2;
+    print_figure("22", "processor time without free descriptors", 100.0 * share, "%", "< 5 %");
+    EXPECT_LT(share, 0.05);
+    const auto descriptors =
+        std::distance(fs::directory_iterator("/proc/" + std::to_string(server.id()) + "/fd"), {});
+    EXPECT_GE(descriptors, 64) << "there were free ones";
+    Envelope ping;
+    ping.mutable_ping()->set_nonce(22);
+    const auto begin = std::chrono::steady_clock::now();
+    client.send(ping);
+    EXPECT_EQ(client.expect(Envelope::kPong).pong().nonce(), 22u);
+    const double answered =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    print_figure("22", "a session's ping answered after", 1000.0 * answered, "ms", "goes on");
+    EXPECT_LT(answered, 1.0);
+  }
+  TestClient newcomer(server.address());
+  newcomer.send(hello_message());
+  newcomer.expect(Envelope::kWelcome);
   server.signal(SIGTERM);
   EXPECT_GE(server.wait(25s), 0.0);
   EXPECT_EQ(server.exit_code(), 0);
