@@ -38,12 +38,12 @@ std::vector<TruthCase> cases_at_hand() {
 }
 
 ErrorByPair errors_of(const Method& method, const std::vector<std::string>& kinds,
-                      const glm::vec3& gains) {
+                      const glm::vec3& gains, const std::vector<Environment>& lit_by) {
   ErrorByPair errors;
   for (const TruthCase& truth_case : cases_at_hand()) {
     TruthRenderer renderer(truth_case, method);
     const common::ImageRgb8 mask = load_mask(truth_case);
-    for (const Environment& environment : environments()) {
+    for (const Environment& environment : lit_by) {
       renderer.light_by(environment);
       for (const std::string& kind : kinds) {
         TruthPair pair = load_pair(truth_case, environment, kind);
