@@ -33,10 +33,6 @@ float brightest_metered() {
   return scene::srgb_decode(250.0f / 255.0f);
 }
 
-float luminance(const glm::vec3& rgb) {
-  return glm::dot(rgb, glm::vec3(0.2126f, 0.7152f, 0.0722f));
-}
-
 std::optional<float> meter_exposure(const MeterGrid& grid, const common::CameraModel& ideal,
                                     const common::CameraModel& camera,
                                     const common::ImageRgb8& image, scene::ToneCurve curve) {
