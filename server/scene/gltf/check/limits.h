@@ -22,8 +22,7 @@ constexpr long long kMaxBufferBytes = 512LL << 20;
 constexpr std::size_t kMaxPictureBytes = std::size_t{512} << 20;
 constexpr std::size_t kMaxTexels = std::size_t{128} << 20;
 
-// Of one collection, such as nodes. Walks that take a collection's square root of steps for each
-// element still end.
+// Of one collection, such as nodes.
 constexpr std::size_t kMaxElements = 200'000;
 
 // An element's ancestors: bounds the walk to its root.
