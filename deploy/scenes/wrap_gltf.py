@@ -5,10 +5,11 @@
 
 The model is scaled to the height (metres) and stands on y = 0, behind the marker. Its buffers and
 pictures and the environment map are copied beside the scene, which may refer to files in its own
-folder only.
+folder only. The table is in the scene's own file.
 """
 
 import argparse
+import base64
 import json
 import math
 import sys
@@ -43,8 +44,12 @@ def bounds(document, roots):
     """The corners of a box around all that is drawn, by what the accessors state."""
     identity = [[float(i == j) for j in range(4)] for i in range(4)]
     waiting, low, high = [(root, identity) for root in roots], [math.inf] * 3, [-math.inf] * 3
+    seen = set()
     while waiting:
         index, parent = waiting.pop()
+        if index in seen:
+            raise ValueError(f"node {index} is its own ancestor or has two parents")
+        seen.add(index)
         node = document["nodes"][index]
         here = multiply(parent, matrix_of(node))
         waiting += [(child, here) for child in node.get("children", ())]
@@ -98,6 +103,21 @@ def append(document, table):
     return list(range(first["nodes"], len(document["nodes"])))
 
 
+def inside(folder, name):
+    """The path of a file in a folder; a model's files may lie nowhere else."""
+    path = folder / name
+    if not path.resolve().is_relative_to(folder.resolve()):
+        raise ValueError(f"its file '{name}' lies outside its folder")
+    return path
+
+
+def table_scene():
+    """The document of a scene with the real table alone, its bytes within."""
+    scene = new_scene()
+    data = base64.b64encode(scene.data).decode("ascii")
+    return scene.document("table", f"data:application/octet-stream;base64,{data}")
+
+
 def copy_files(document, source, target):
     """Gives the names of the files."""
     names = []
@@ -105,10 +125,12 @@ def copy_files(document, source, target):
         uri = item.get("uri", "data:")
         if uri.startswith("data:"):
             continue
-        destination = target / unquote(uri)
+        name = unquote(uri)
+        data = inside(source, name).read_bytes()
+        destination = inside(target, name)
         destination.parent.mkdir(parents=True, exist_ok=True)
-        destination.write_bytes((source / unquote(uri)).read_bytes())
-        names.append(unquote(uri))
+        destination.write_bytes(data)
+        names.append(name)
     return names
 
 
@@ -142,9 +164,7 @@ def main():
     except (LookupError, TypeError) as error:
         sys.exit(f"{arguments.input}: is damaged: there is no {error}")
 
-    new_scene().write(folder / "table.gltf")
-    table = json.loads((folder / "table.gltf").read_text(encoding="utf-8"))
-    (folder / "table.gltf").unlink()
+    table = table_scene()
     scene["nodes"] = [placed, *append(document, table)]
     scene["extras"] = table["scenes"][0]["extras"]
     arguments.output.write_text(json.dumps(document, indent=1) + "\n", encoding="utf-8")

@@ -15,6 +15,7 @@
 #include "common/check_context.h"
 #include "common/log_limiter.h"
 #include "common/log_sink.h"
+#include "common/one_line.h"
 
 namespace amalgam::common {
 namespace {
@@ -35,13 +36,36 @@ class JsonMessage : public spdlog::custom_flag_formatter {
   }
 };
 
+// The message as one line, because it may quote a client or a file. A failed CHECK's replay text,
+// which is our own, has several.
+class TextMessage : public spdlog::custom_flag_formatter {
+ public:
+  void format(const spdlog::details::log_msg& message, const std::tm&,
+              spdlog::memory_buf_t& out) override {
+    std::string_view rest(message.payload.data(), message.payload.size());
+    while (message.level == spdlog::level::critical && rest.find('\n') != rest.npos) {
+      append(common::one_line(rest.substr(0, rest.find('\n'))) + "\n", out);
+      rest.remove_prefix(rest.find('\n') + 1);
+    }
+    append(common::one_line(rest), out);
+  }
+  std::unique_ptr<custom_flag_formatter> clone() const override {
+    return std::make_unique<TextMessage>();
+  }
+
+ private:
+  static void append(const std::string& text, spdlog::memory_buf_t& out) {
+    out.append(text.data(), text.data() + text.size());
+  }
+};
+
 std::unique_ptr<spdlog::formatter> make_formatter(bool json) {
   auto formatter = std::make_unique<spdlog::pattern_formatter>();
   if (json) {
     formatter->add_flag<JsonMessage>('*').set_pattern(
         R"({"time":"%Y-%m-%dT%H:%M:%S.%e%z","level":"%l","message":%*})");
   } else {
-    formatter->set_pattern("%Y-%m-%dT%H:%M:%S.%e %l %v");
+    formatter->add_flag<TextMessage>('*').set_pattern("%Y-%m-%dT%H:%M:%S.%e %l %*");
   }
   return formatter;
 }

@@ -18,6 +18,7 @@
 #include "codec/color_space.h"
 #include "codec/exr.h"
 #include "codec/exr_cube.h"
+#include "common/one_line.h"
 
 namespace amalgam::codec {
 namespace {
@@ -90,9 +91,7 @@ auto with_file(const std::filesystem::path& path, Read read) {
   } catch (const ExrError&) {
     throw;
   } catch (const std::exception& caught) {
-    std::string why = caught.what();
-    std::replace(why.begin(), why.end(), '\n', ' ');
-    fail(path, "not a readable OpenEXR image: " + why);
+    fail(path, "not a readable OpenEXR image: " + common::one_line(caught.what()));
   }
 }
 
@@ -148,7 +147,11 @@ std::optional<Choice> choose(const std::filesystem::path& path,
     const std::string& layer = layers.front();
     return Choice{{layer + ".R", layer + ".G", layer + ".B"}, "its layer " + layer + " is read"};
   }
-  if (has(names, "Y")) return Choice{{"Y", "Y", "Y"}, ""};
+  const bool has_chroma = has(names, "RY") || has(names, "BY");
+  if (has(names, "Y")) {
+    return Choice{{"Y", "Y", "Y"},
+                  has_chroma ? "its colors (RY, BY) are not supported; read as grey" : ""};
+  }
   return std::nullopt;
 }
 
@@ -197,7 +200,7 @@ common::ImageRgb32f read_colors(const std::filesystem::path& path, Imf::InputPar
   common::ImageRgb32f image = rgb_of(read_channels(path, part, names), choice);
   const std::string file = path.filename().string() + ": ";
   if (!choice.note.empty()) notes.push_back(file + choice.note);
-  const bool is_grey = choice.rgb[0] == choice.rgb[1];
+  const bool is_grey = choice.rgb[0] == "Y";
   const auto space = other_space(part.header());
   if (space && !is_grey) {
     const auto matrix = rec709_from(*space);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <string>
@@ -9,6 +10,26 @@
 
 #include <webp/decode.h>
 
+namespace {
+
+// stb_image inflates a PNG for as long as its data go on, whatever size its header states: a small
+// file could ask for 4 GiB. So no block may be larger than a right file of that size needs.
+constexpr std::size_t kBlockForHeaders = std::size_t{1} << 20;
+thread_local std::size_t largest_block = kBlockForHeaders;
+
+void* allocate_block(std::size_t bytes) {
+  return bytes <= largest_block ? std::malloc(bytes) : nullptr;
+}
+
+void* grow_block(void* block, std::size_t bytes) {
+  return bytes <= largest_block ? std::realloc(block, bytes) : nullptr;
+}
+
+}  // namespace
+
+#define STBI_MALLOC(bytes) allocate_block(bytes)
+#define STBI_REALLOC(block, bytes) grow_block(block, bytes)
+#define STBI_FREE(block) std::free(block)
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
 #define STBI_ONLY_PNG
@@ -39,7 +60,9 @@ Input input_of(std::span<const std::byte> encoded) {
 
 std::string reason() {
   const char* text = stbi_failure_reason();
-  return text ? text : "unknown reason";
+  if (!text) return "unknown reason";
+  const std::string_view short_of_memory = "outofmem";
+  return text == short_of_memory ? "needs more memory than a picture of its size may" : text;
 }
 
 glm::ivec2 checked_size(const Input& input) {
@@ -50,6 +73,23 @@ glm::ivec2 checked_size(const Input& input) {
   check_picture_size({width, height});
   return {width, height};
 }
+
+// While it lives, blocks may be as large as decoding needs.
+class BlocksFor {
+ public:
+  BlocksFor(const glm::ivec2& size, std::size_t encoded_bytes) {
+    // The largest is an inflated PNG of 16 bits and four channels. stb_image begins with what the
+    // header needs, and doubles it if an interlaced picture needs some more. JPEGs are padded to
+    // whole blocks of at most 32 pixels. Compressed bytes are collected in a block that doubles.
+    constexpr std::size_t kPadding = 64, kPixelBytes = 8, kTables = std::size_t{64} << 10;
+    const std::size_t width = static_cast<std::size_t>(size.x) + kPadding;
+    const std::size_t height = static_cast<std::size_t>(size.y) + kPadding;
+    largest_block = 2 * (kPixelBytes * width * height + encoded_bytes) + kTables;
+  }
+  ~BlocksFor() { largest_block = kBlockForHeaders; }
+  BlocksFor(const BlocksFor&) = delete;
+  BlocksFor& operator=(const BlocksFor&) = delete;
+};
 
 bool begins_with(std::span<const std::byte> bytes, std::span<const unsigned char> prefix) {
   return bytes.size() >= prefix.size() &&
@@ -146,6 +186,7 @@ common::ImageRgba8 decode_picture(std::span<const std::byte> encoded) {
   check_picture(encoded);
   if (is_webp(encoded)) return decode_webp(encoded);
   const Input input = input_of(encoded);
+  const BlocksFor blocks(checked_size(input), encoded.size());
   int width = 0, height = 0, channels = 0;
   const std::unique_ptr<stbi_uc, PixelCloser> pixels(
       stbi_load_from_memory(input.data, input.size, &width, &height, &channels, 4));

@@ -77,7 +77,7 @@ AnchoredScene anchor_scene(const Scene& scene, std::span<const common::MarkerPos
     if (!anchor) continue;
     const glm::dmat4 world_from_light = *anchor * punctual.anchor_from_light;
     Light light;
-    light.kind = static_cast<Light::Kind>(punctual.kind);
+    light.kind = punctual.kind;
     light.to_light = glm::vec3(glm::normalize(glm::dvec3(world_from_light[2])));
     light.position = glm::vec3(world_from_light[3]);
     light.intensity = punctual.intensity;

@@ -35,8 +35,8 @@ SceneFeatures scene_features(const Scene& scene);
 
 // Work that frames of this scene never need, and why.
 struct Absence {
-  std::string what;    // "specular mask, trace, look-ups"
-  std::string reason;  // "nothing in the scene is a mirror or transparent"
+  std::string what;    // "diffuse pass, shadow maps"
+  std::string reason;  // "nothing in the scene is diffuse"
 };
 std::vector<Absence> describe_absences(const SceneFeatures& features);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
 #include "scene/bounds.h"
 #include "scene/closed_mesh.h"
@@ -29,30 +30,55 @@ bool is_inside(const Bounds& inner, const Bounds& outer) {
          glm::all(glm::lessThanEqual(inner.high, outer.high));
 }
 
+struct Body {
+  const Instance* instance;
+  Bounds box;  // in its anchor's frame
+};
+
+std::vector<Body> solid_glass(const Scene& scene) {
+  std::map<std::uint32_t, Bounds> bounds;  // of the meshes
+  std::vector<Body> bodies;
+  for (const Instance& instance : scene.instances) {
+    if (!is_solid_glass(scene, instance)) continue;
+    const auto [of_mesh, is_new] = bounds.try_emplace(instance.mesh);
+    if (is_new) of_mesh->second = bounds_of(scene.meshes[instance.mesh]);
+    bodies.push_back({&instance, placed(of_mesh->second, instance)});
+  }
+  return bodies;
+}
+
+bool lies_in_another(const Body& body, const std::vector<Body>& glass) {
+  return std::any_of(glass.begin(), glass.end(), [&](const Body& other) {
+    return other.instance != body.instance && other.instance->marker == body.instance->marker &&
+           is_inside(body.box, other.box);
+  });
+}
+
 }  // namespace
 
 void turn_glass_outward(Scene& scene) {
-  const auto bounds = mesh_bounds(scene);
-  std::vector<Bounds> boxes;
-  for (const Instance& instance : scene.instances) {
-    boxes.push_back(placed(bounds[instance.mesh], instance));
+  const auto glass = solid_glass(scene);
+  if (glass.empty()) return;
+  // Every body may lie in every other: more are not compared.
+  constexpr std::size_t kMostBodies = 10'000;
+  if (glass.size() > kMostBodies) {
+    scene.notes.emplace_back(
+        "more than 10,000 bodies of glass: not tested whether they face outward");
+    return;
   }
-  for (std::uint32_t m = 0; m < scene.meshes.size(); ++m) {
-    bool is_glass = false, is_other = false, may_be_hollow = false;
-    std::string node;
-    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
-      const Instance& instance = scene.instances[i];
-      if (instance.mesh != m) continue;
-      node = instance.node;
-      (is_solid_glass(scene, instance) ? is_glass : is_other) = true;
-      for (std::size_t k = 0; k < scene.instances.size(); ++k) {
-        may_be_hollow = may_be_hollow || (k != i && scene.instances[k].marker == instance.marker &&
-                                          is_solid_glass(scene, scene.instances[k]) &&
-                                          is_inside(boxes[i], boxes[k]));
-      }
-    }
+  std::vector<bool> is_other(scene.meshes.size(), false);
+  for (const Instance& instance : scene.instances) {
+    if (!is_solid_glass(scene, instance)) is_other[instance.mesh] = true;
+  }
+  std::map<std::uint32_t, std::vector<const Body*>> by_mesh;
+  for (const Body& body : glass) by_mesh[body.instance->mesh].push_back(&body);
+  for (const auto& [m, bodies] : by_mesh) {
+    const bool may_be_hollow = std::any_of(bodies.begin(), bodies.end(), [&](const Body* body) {
+      return lies_in_another(*body, glass);
+    });
+    const std::string& node = bodies.back()->instance->node;
     Mesh& mesh = scene.meshes[m];
-    if (!is_glass || is_other || may_be_hollow || !is_closed(mesh)) continue;
+    if (is_other[m] || may_be_hollow || !is_closed(mesh)) continue;
     const auto warn = [&](const char* what) {
       scene.warnings.push_back("node " + node + ": its glass has " + what +
                                " that point inward; turned outward");

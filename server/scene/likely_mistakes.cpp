@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/matrix.hpp>
+#include <map>
 #include <optional>
 #include <string_view>
 
@@ -72,11 +72,14 @@ bool is_flat(const Bounds& box) {
 }
 
 void check_glass(const Scene& scene, std::vector<std::string>& mistakes) {
+  std::map<std::uint32_t, bool> bodies;  // by mesh: many instances may share a large one
   for (const Instance& instance : scene.instances) {
     const Material& material = scene.materials[instance.material];
     if (material.kind != MaterialKind::Dielectric || !material.thin) continue;
+    const auto [body, is_new] = bodies.try_emplace(instance.mesh);
     const Mesh& mesh = scene.meshes[instance.mesh];
-    if (is_flat(bounds_of(mesh)) || !is_closed(mesh)) continue;
+    if (is_new) body->second = !is_flat(bounds_of(mesh)) && is_closed(mesh);
+    if (!body->second) continue;
     mistakes.push_back("node " + instance.node + ": its material " + material.name +
                        " transmits light and has no thickness, so that its glass does not refract; "
                        "a KHR_materials_volume with a thickness above 0 makes it solid (README, "

@@ -15,6 +15,7 @@
 
 #include "common/image.h"
 #include "scene/light/environment.h"
+#include "scene/light/light.h"
 #include "scene/material.h"
 
 namespace amalgam::scene {
@@ -70,7 +71,7 @@ struct Instance {
 
 // KHR_lights_punctual. Point and spot: candela; directional: lux (taken as radiance units x sr).
 struct PunctualLight {
-  enum class Kind : std::uint8_t { Directional, Point, Spot };
+  using Kind = Light::Kind;
   std::string node;
   Kind kind = Kind::Directional;
   glm::vec3 intensity{0.0f};                       // color times intensity, linear

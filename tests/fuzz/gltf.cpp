@@ -42,6 +42,14 @@ void check(const scene::Scene& scene) {
   }
   for (const scene::PunctualLight& light : scene.punctual_lights) {
     AMALGAM_CHECK(is_finite(light.intensity), light.node);
+    for (int column = 0; column < 4; ++column) {
+      AMALGAM_CHECK(is_finite(light.anchor_from_light[column]), light.node);
+    }
+  }
+  for (const scene::Material& material : scene.materials) {
+    AMALGAM_CHECK(is_finite(material.emission), material.name);
+    AMALGAM_CHECK(is_finite(material.absorption), material.name);
+    AMALGAM_CHECK(std::isfinite(material.normal_scale), material.name);
   }
 }
 

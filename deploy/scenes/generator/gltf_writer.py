@@ -81,26 +81,31 @@ class GltfWriter:
         self.nodes.append({"name": name, "mesh": len(self.meshes) - 1, **transform,
                            "extras": {"amalgam": extras}})
 
-    def write(self, path, binary_stem=None):
-        """binary_stem: of a .bin file that scenes with the same shapes share; default: path's."""
-        path = Path(path)
-        binary = path.with_name(f"{binary_stem or path.stem}.bin")
+    def document(self, name, binary_uri):
+        """The glTF document of a scene of this name, whose bytes (self.data) are at the URI."""
         document = {
             "asset": {"version": "2.0", "generator": "Amalgam deploy/scenes"},
             "scene": 0,
-            "scenes": [{"name": path.stem, "nodes": list(range(len(self.nodes))),
+            "scenes": [{"name": name, "nodes": list(range(len(self.nodes))),
                         "extras": {"amalgam": self.amalgam}}],
             "nodes": self.nodes,
             "meshes": self.meshes,
             "materials": self.materials,
             "accessors": self.accessors,
             "bufferViews": self.views,
-            "buffers": [{"uri": binary.name, "byteLength": len(self.data)}],
+            "buffers": [{"uri": binary_uri, "byteLength": len(self.data)}],
         }
         if self.extensions:
             document["extensionsUsed"] = sorted(self.extensions)
         if self.textures:
             document.update(images=self.images, textures=self.textures,
                             samplers=[{"wrapS": 10497, "wrapT": 10497}])
+        return document
+
+    def write(self, path, binary_stem=None):
+        """binary_stem: of a .bin file that scenes with the same shapes share; default: path's."""
+        path = Path(path)
+        binary = path.with_name(f"{binary_stem or path.stem}.bin")
+        document = self.document(path.stem, binary.name)
         path.write_text(json.dumps(document, indent=1) + "\n")
         binary.write_bytes(self.data)

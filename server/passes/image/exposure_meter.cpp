@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <vector>
 
 #include "scene/light/tone_map.h"
@@ -31,10 +30,6 @@ float darkest_metered() {
 
 float brightest_metered() {
   return scene::srgb_decode(250.0f / 255.0f);
-}
-
-float luminance(const glm::vec3& rgb) {
-  return glm::dot(rgb, glm::vec3(0.2126f, 0.7152f, 0.0722f));
 }
 
 std::optional<float> meter_exposure(const MeterGrid& grid, const common::CameraModel& ideal,

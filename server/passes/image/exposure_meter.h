@@ -14,6 +14,7 @@
 #include "common/camera_model.h"
 #include "common/image.h"
 #include "passes/image/meter_grid.h"
+#include "scene/light/luminance.h"
 #include "scene/light/tone_map.h"
 
 namespace amalgam::passes {
@@ -22,7 +23,7 @@ namespace amalgam::passes {
 float darkest_metered();
 float brightest_metered();
 
-float luminance(const glm::vec3& rgb);  // Rec. 709
+using scene::luminance;
 
 // Nothing if no entry has a usable pair (L_c, I_r). Pairs with black, saturated or non-finite
 // members do not count. The result lies in [1e-6, 1e6].

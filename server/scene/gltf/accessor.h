@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/gltf/check/limits.h"
 #include "scene/gltf/model.h"
 
 namespace amalgam::scene {
@@ -24,9 +25,11 @@ std::vector<glm::vec3> read_vec3(const tinygltf::Model& model, int accessor);
 std::vector<glm::vec4> read_vec4(const tinygltf::Model& model, int accessor);
 std::vector<glm::vec2> read_vec2(const tinygltf::Model& model, int accessor);
 
-// Throws for positions, texture coordinates or colors that are not finite. Notes those outside the
-// stated bounds by more than rounding: the bounds are not used. Normals and tangents are repaired
-// later (numerics B21).
-void check_accessor_data(const tinygltf::Model& model, std::vector<std::string>& notes);
+// Throws for positions, texture coordinates or colors that are not finite, and for positions beyond
+// kMaxPosition. Notes those outside the stated bounds by more than rounding: the bounds are not
+// used. Normals and tangents are repaired later (numerics B21). Of what no attribute reads only
+// max_unread numbers are looked at, for notes.
+void check_accessor_data(const tinygltf::Model& model, std::vector<std::string>& notes,
+                         std::size_t max_unread = kMaxUnreadNumbers);
 
 }  // namespace amalgam::scene

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/gltf/check/limits.h"
 #include "scene/gltf/model.h"
 
 namespace amalgam::scene {
@@ -13,8 +14,16 @@ namespace amalgam::scene {
 // with the plain data. The document has passed check_gltf(). Throws SceneError for damaged data.
 void decompress_meshopt(const JsonCursor& root, tinygltf::Model& model);
 
+// Of all primitives together.
+struct DracoLimits {
+  std::size_t vertices = kMaxVertices;
+  std::size_t triangles = kMaxTriangles;
+  std::size_t bytes = kMaxDracoBytes;  // of their attributes, decompressed
+};
+
 // The primitives of the model that are compressed with Draco then refer to new accessors. Throws
-// SceneError for damaged data.
-void decompress_draco(const JsonCursor& root, tinygltf::Model& model);
+// SceneError for damaged data, and for more than the limits.
+void decompress_draco(const JsonCursor& root, tinygltf::Model& model,
+                      const DracoLimits& limits = {});
 
 }  // namespace amalgam::scene

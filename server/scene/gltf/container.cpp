@@ -22,10 +22,6 @@ std::string_view text_of(std::span<const std::byte> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-}  // namespace
-
-namespace {
-
 constexpr std::size_t kHeader = 12, kChunkHeader = 8;
 
 // A chunk whose length is no multiple of 4 should be padded; some writers do not, or do not count

@@ -3,12 +3,11 @@
 #include <cstring>
 
 #include "scene/gltf/check/check_context.h"
+#include "scene/gltf/check/limits.h"
 #include "scene/gltf/compressed_data.h"
 
 namespace amalgam::scene {
 namespace {
-
-constexpr std::size_t kMaxVertices = 50'000'000;
 
 // One new buffer, view and accessor. Gives the accessor's index.
 int add_accessor(tinygltf::Model& model, tinygltf::Accessor accessor,
@@ -72,24 +71,50 @@ std::unique_ptr<draco::Mesh> decode(const JsonCursor& at, const tinygltf::Model&
   auto decoded = decoder.DecodeMeshFromBuffer(&buffer);
   if (!decoded.ok()) at.fail("its data are damaged: " + decoded.status().error_msg_string());
   auto mesh = std::move(decoded).value();
-  if (mesh->num_points() > kMaxVertices || mesh->num_faces() > kMaxVertices) {
-    at.fail("more than 50 million vertices");
-  }
   return mesh;
 }
 
-void decompress(const JsonCursor& at, tinygltf::Model& model, tinygltf::Primitive& primitive) {
+// What the limits still leave. Primitives may share a block, and each decompresses it anew.
+class Room {
+ public:
+  explicit Room(const DracoLimits& limits) : left_(limits) {}
+
+  void take(const JsonCursor& at, const draco::Mesh& mesh) {
+    take(at, mesh.num_points(), left_.vertices, "vertices");
+    take(at, mesh.num_faces(), left_.triangles, "triangles");
+  }
+  void take_bytes(const JsonCursor& at, std::size_t bytes) {
+    take(at, bytes, left_.bytes, "bytes");
+  }
+
+ private:
+  static void take(const JsonCursor& at, std::size_t count, std::size_t& left, const char* what) {
+    if (count > left) at.fail(std::string("the compressed primitives have too many ") + what);
+    left -= count;
+  }
+
+  DracoLimits left_;
+};
+
+void decompress(const JsonCursor& at, Room& room, tinygltf::Model& model,
+                tinygltf::Primitive& primitive) {
   const auto mesh = decode(at, model);
+  room.take(at, *mesh);
   for (const auto& [name, id] : at.get("attributes").members()) {
     const auto found = primitive.attributes.find(name);
     if (found == primitive.attributes.end()) id.fail("is no attribute of its primitive");
     const draco::PointAttribute* attribute =
         mesh->GetAttributeByUniqueId(static_cast<std::uint32_t>(id.integer(0)));
     if (!attribute) id.fail("there is no such attribute in the compressed data");
-    tinygltf::Accessor accessor = model.accessors[static_cast<std::size_t>(found->second)];
+    // Of an attribute that nothing reads the check has only noted it.
+    const auto index = static_cast<std::size_t>(found->second);
+    if (index >= model.accessors.size()) continue;
+    tinygltf::Accessor accessor = model.accessors[index];
     accessor.count = mesh->num_points();
     const int components =
         tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type));
+    room.take_bytes(id, accessor.count * static_cast<std::size_t>(components) *
+                            static_cast<std::size_t>(component_bytes(accessor.componentType)));
     auto values = values_of(*mesh, *attribute, components, accessor.componentType);
     if (values.empty() && accessor.count > 0) id.fail("has values that its accessor cannot hold");
     found->second = add_accessor(model, std::move(accessor), std::move(values));
@@ -112,7 +137,8 @@ void decompress(const JsonCursor& at, tinygltf::Model& model, tinygltf::Primitiv
 
 }  // namespace
 
-void decompress_draco(const JsonCursor& root, tinygltf::Model& model) {
+void decompress_draco(const JsonCursor& root, tinygltf::Model& model, const DracoLimits& limits) {
+  Room room(limits);
   const auto meshes = root.find("meshes");
   if (!meshes) return;
   const auto mesh_cursors = meshes->items();
@@ -121,7 +147,7 @@ void decompress_draco(const JsonCursor& root, tinygltf::Model& model) {
     for (std::size_t k = 0; k < primitives.size(); ++k) {
       const auto extensions = primitives[k].find("extensions");
       const auto at = extensions ? extensions->find("KHR_draco_mesh_compression") : std::nullopt;
-      if (at) decompress(*at, model, model.meshes[i].primitives[k]);
+      if (at) decompress(*at, room, model, model.meshes[i].primitives[k]);
     }
   }
 }

@@ -6,6 +6,7 @@
 #include "codec/exr.h"
 #include "codec/picture.h"
 #include "codec/radiance_hdr.h"
+#include "scene/gltf/check/limits.h"
 #include "scene/gltf/sanitize.h"
 #include "scene/gltf/scene_folder.h"
 #include "scene/light/tone_map.h"
@@ -30,16 +31,15 @@ void note_shape(const Environment& environment, std::vector<std::string>& notes)
 }
 
 Environment load_unnamed(const std::filesystem::path& path, std::vector<std::string>& notes) {
-  constexpr std::size_t kMaxBytes = std::size_t{256} << 20;
   const std::string extension = lower_extension(path);
   if (extension == ".jpg" || extension == ".jpeg" || extension == ".png") {
-    return environment_from_ldr(codec::decode_picture(read_file(path, kMaxBytes)));
+    return environment_from_ldr(codec::decode_picture(read_file(path, kMaxEnvironmentFileBytes)));
   }
   Environment environment;
   if (extension == ".exr") {
     environment.radiance = codec::read_exr(path, &notes);
   } else if (extension == ".hdr") {
-    environment.radiance = codec::decode_radiance_hdr(read_file(path, kMaxBytes));
+    environment.radiance = codec::decode_radiance_hdr(read_file(path, kMaxEnvironmentFileBytes));
   } else {
     throw SceneError("'" + path.filename().string() + "' is none of .exr, .hdr, .jpg, .png");
   }

@@ -2,12 +2,11 @@
 
 #include <string>
 
+#include "scene/gltf/check/limits.h"
 #include "scene/scene_error.h"
 
 namespace amalgam::scene {
 namespace {
-
-constexpr int kMaxMarker = 1'000'000;
 
 std::optional<JsonCursor> object_member(const JsonCursor& holder, const char* name) {
   auto found = holder.find(name);
@@ -72,7 +71,6 @@ SceneExtras read_scene_extras(const JsonCursor& scene) {
                                                        const JsonCursor& at) {
     if (name == "world_marker") {
       read.world.marker = static_cast<int>(at.integer(0, kMaxMarker));
-      read.has_world_marker = true;
     } else if (name == "dictionary") {
       read.world.dictionary = at.string();
     } else if (name == "marker_length") {

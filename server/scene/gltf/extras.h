@@ -18,7 +18,6 @@ struct NodeExtras {
 
 struct SceneExtras {
   World world;
-  bool has_world_marker = false;
   std::optional<std::string> environment;  // file name relative to the scene's folder
 };
 

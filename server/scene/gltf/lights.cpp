@@ -4,11 +4,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "scene/gltf/check/limits.h"
+
 namespace amalgam::scene {
 namespace {
 
 constexpr const char* kExtension = "KHR_lights_punctual";
-constexpr double kAnything = 1e30;
 
 std::optional<JsonCursor> extension_of(const JsonCursor& holder) {
   const auto extensions = holder.find("extensions");
@@ -33,15 +34,19 @@ class LightReader {
       type.fail("'" + type.string() + "' is none of directional, point, spot");
     }
     const auto intensity = at.find("intensity"), color = at.find("color");
-    const double strength = intensity ? intensity->number(0.0, kAnything) : 1.0;
+    const double strength = intensity ? intensity->number(0.0, kMaxQuantity) : 1.0;
     const auto rgb = color ? color->numbers(3) : std::vector<double>(3, 1.0);
+    bool is_clamped = false;
     for (int i = 0; i < 3; ++i) {
       const double component = rgb[static_cast<std::size_t>(i)];
       if (!(component >= 0.0)) color->fail("is negative");
-      light.intensity[i] = static_cast<float>(component * strength);
+      const double product = component * strength;
+      light.intensity[i] = static_cast<float>(std::min(product, kMaxProduct));
+      is_clamped = is_clamped || product > kMaxProduct;
     }
+    if (is_clamped) note(at, "its color times intensity is brought to 1e12");
     if (const auto range = at.find("range")) {
-      light.range = static_cast<float>(range->number(0.0, kAnything));
+      light.range = static_cast<float>(range->number(0.0, kMaxQuantity));
       if (light.range == 0.0f) note(*range, "is 0, read as unlimited");
     }
     return light;

@@ -4,6 +4,7 @@
 #include <exception>
 #include <map>
 
+#include "common/one_line.h"
 #include "scene/glass_winding.h"
 #include "scene/gltf/accessor.h"
 #include "scene/gltf/doubtful_extras.h"
@@ -32,18 +33,12 @@ class SceneBuilder {
   }
 
   void build() {
+    check_mesh_sizes(gltf_.model);
     check_accessor_data(gltf_.model, scene_.notes);
     ResolvedMaterials materials = resolve_materials(gltf_, scene_.textures, scene_.notes);
     // Every mesh is read, drawn or not: a file with a broken one is a broken file.
-    // Primitives may share accessors, so that a small file can ask for any number of vertices.
-    constexpr std::size_t kMaxVertices = 50'000'000;
-    std::size_t vertices = 0;
     for (std::size_t i = 0; i < gltf_.model.meshes.size(); ++i) {
       read_.push_back(read_primitives(gltf_, i, materials, scene_.notes));
-      for (const ReadPrimitive& primitive : read_.back()) {
-        vertices += primitive.mesh.positions.size();
-      }
-      if (vertices > kMaxVertices) throw SceneError("more than 50 million vertices");
     }
     scene_.materials = std::move(materials.materials);
     walk();
@@ -103,13 +98,14 @@ class SceneBuilder {
 
   void add_contents(std::size_t index, const Visit& visit) {
     const tinygltf::Node& node = gltf_.model.nodes[index];
-    const std::string name = node.name.empty() ? nodes_[index].path() : node.name;
+    const std::string name = node.name.empty() ? nodes_[index].path() : common::one_line(node.name);
     if (const auto light = node_light(nodes_[index], lights_.size())) {
       if (is_collapsed(visit.anchor_from_parent)) {
         scene_.notes.push_back(nodes_[index].path() +
                                ": is scaled to nothing, its light is left out");
         return;
       }
+      check_transform_finite(visit.anchor_from_parent, nodes_[index].path());
       PunctualLight placed = lights_[*light];
       placed.node = name;
       placed.anchor_from_light = visit.anchor_from_parent;
@@ -171,9 +167,9 @@ class SceneBuilder {
 
 SceneExtras extras_of_default_scene(const GltfModel& gltf) {
   const auto scenes = JsonCursor(gltf.document).find("scenes");
-  if (!scenes || scenes->items().empty()) return {};
-  return read_scene_extras(
-      scenes->items()[static_cast<std::size_t>(std::max(gltf.model.defaultScene, 0))]);
+  const auto all = scenes ? scenes->items() : std::vector<JsonCursor>{};
+  if (all.empty()) return {};
+  return read_scene_extras(all[static_cast<std::size_t>(std::max(gltf.model.defaultScene, 0))]);
 }
 
 Scene load_unnamed(const std::filesystem::path& path, const LoadOptions& options) {
@@ -195,6 +191,10 @@ Scene load_unnamed(const std::filesystem::path& path, const LoadOptions& options
   };
   add(doubtful_extras(JsonCursor(gltf.document)));
   add(likely_mistakes(scene));
+  // They quote names and texts of the file, which may end up in a log or on a terminal.
+  for (auto* texts : {&scene.notes, &scene.warnings}) {
+    for (std::string& text : *texts) text = common::one_line(text);
+  }
   return scene;
 }
 
@@ -204,9 +204,9 @@ Scene load_scene(const std::filesystem::path& path, const LoadOptions& options) 
   try {
     return load_unnamed(path, options);
   } catch (const SceneError& caught) {
-    const std::string name = path.filename().string();
     const std::string what = caught.what();
-    throw SceneError(what.starts_with(path.string()) ? what : path.string() + ": " + what);
+    throw SceneError(
+        common::one_line(what.starts_with(path.string()) ? what : path.string() + ": " + what));
   } catch (const std::bad_alloc&) {
     throw SceneError(path.string() + ": needs more memory than there is");
   }

@@ -3,17 +3,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 
+#include "common/one_line.h"
+#include "scene/gltf/check/limits.h"
 #include "scene/scene_error.h"
 
 namespace amalgam::scene {
 namespace {
 
 // tinygltf leaves a list empty that the file leaves out.
-glm::vec3 vec3_or(const std::vector<double>& numbers, float otherwise) {
-  if (numbers.size() < 3) return glm::vec3(otherwise);
-  return {static_cast<float>(numbers[0]), static_cast<float>(numbers[1]),
-          static_cast<float>(numbers[2])};
+glm::dvec3 vec3_or(const std::vector<double>& numbers, double otherwise) {
+  if (numbers.size() < 3) return glm::dvec3(otherwise);
+  return {numbers[0], numbers[1], numbers[2]};
 }
 
 double number_or(const std::optional<JsonCursor>& object, const char* name, double otherwise) {
@@ -28,7 +31,7 @@ glm::vec3 absorption_of(const std::vector<double>& color, double distance) {
   glm::vec3 absorption(0.0f);
   for (int i = 0; i < 3; ++i) {
     const double c = std::clamp(color[static_cast<std::size_t>(i)], kBlack, 1.0);
-    absorption[i] = static_cast<float>(-std::log(c) / distance);
+    absorption[i] = static_cast<float>(std::min(-std::log(c) / distance, kMaxProduct));
   }
   return absorption;
 }
@@ -53,14 +56,23 @@ void resolve_dielectric(const JsonCursor& extensions, Material& material) {
       absorption_of(color ? color->numbers(3) : std::vector<double>(3, 1.0), distance->number());
 }
 
-void note_unused(const tinygltf::Material& from, const JsonCursor* at, MaterialKind kind,
-                 std::vector<std::string>& notes, const std::string& name) {
-  const auto note = [&](const char* what) { notes.push_back("material " + name + ": " + what); };
+bool is_at_limit(const glm::vec3& products) {
+  return glm::any(glm::equal(products, glm::vec3(static_cast<float>(kMaxProduct))));
+}
+
+void note_changes(const tinygltf::Material& from, const JsonCursor* at, const Material& material,
+                  std::vector<std::string>& notes) {
+  const auto note = [&](const std::string& what) {
+    notes.push_back("material " + material.name + ": " + what);
+  };
   if (from.alphaMode == "BLEND") {
-    note(kind == MaterialKind::Dielectric ? "alpha blending ignored, drawn as glass"
-                                          : "alpha blending is not supported, drawn opaque");
+    note(material.kind == MaterialKind::Dielectric
+             ? "alpha blending ignored, drawn as glass"
+             : "alpha blending is not supported, drawn opaque");
   }
   if (from.occlusionTexture.index >= 0) note("occlusion texture ignored");
+  if (is_at_limit(material.emission)) note("its emission is brought to 1e12");
+  if (is_at_limit(material.absorption)) note("its absorption is brought to 1e12 a metre");
   const auto extensions = at ? at->find("extensions") : std::nullopt;
   if (!extensions) return;
   constexpr std::array<std::string_view, 4> kUsed{"KHR_materials_transmission", "KHR_materials_ior",
@@ -68,7 +80,7 @@ void note_unused(const tinygltf::Material& from, const JsonCursor* at, MaterialK
                                                   "KHR_materials_emissive_strength"};
   for (const auto& [extension, content] : extensions->members()) {
     if (std::find(kUsed.begin(), kUsed.end(), extension) == kUsed.end()) {
-      note((extension + " ignored").c_str());
+      note(extension + " ignored");
     } else if (content.find("thicknessTexture")) {
       note("thickness texture ignored, rays find their own way");
     }
@@ -78,11 +90,11 @@ void note_unused(const tinygltf::Material& from, const JsonCursor* at, MaterialK
 Material resolve_material(const tinygltf::Material& from, const JsonCursor* at) {
   constexpr double kTransmissive = 0.5, kMetallic = 0.5;
   Material material;
-  material.name = from.name;
+  material.name = common::one_line(from.name);
   const auto& pbr = from.pbrMetallicRoughness;
   const auto& factor = pbr.baseColorFactor;
   material.base_color =
-      glm::vec4(vec3_or(factor, 1.0f), factor.size() < 4 ? 1.0f : static_cast<float>(factor[3]));
+      glm::vec4(vec3_or(factor, 1.0), factor.size() < 4 ? 1.0f : static_cast<float>(factor[3]));
   // The check lets pass what is a hair outside.
   material.base_color = glm::clamp(material.base_color, 0.0f, 1.0f);
   material.metallic = std::clamp(static_cast<float>(pbr.metallicFactor), 0.0f, 1.0f);
@@ -97,7 +109,7 @@ Material resolve_material(const tinygltf::Material& from, const JsonCursor* at) 
   const double strength =
       number_or(extension("KHR_materials_emissive_strength"), "emissiveStrength", 1.0);
   material.emission =
-      glm::max(vec3_or(from.emissiveFactor, 0.0f), 0.0f) * static_cast<float>(strength);
+      glm::vec3(glm::clamp(vec3_or(from.emissiveFactor, 0.0) * strength, 0.0, kMaxProduct));
 
   const double transmission =
       number_or(extension("KHR_materials_transmission"), "transmissionFactor", 0.0);
@@ -154,11 +166,20 @@ class TextureAssigner {
     return material_.base_color_texture;
   }
 
+  template <typename Info>
+  TextureUse use_of(const Info& info) const {
+    try {
+      return texture_use(info.texCoord, info.extensions);
+    } catch (const SceneError& caught) {
+      throw SceneError("material " + material_.name + ": " + caught.what());
+    }
+  }
+
   // tinygltf has a type for each kind of texture, and all say this much.
   template <typename Info>
   void assign(TextureSlot slot, const Info& info, TexelEncoding encoding) {
     if (info.index < 0) return;
-    const auto use = place(texture_use(info.texCoord, info.extensions));
+    const auto use = place(use_of(info));
     if (!use) return note("a texture with a third set of coordinates is ignored");
     texture(slot) = loader_.load(info.index, encoding);
     if (!texture(slot)) return note("its texture has no picture");
@@ -210,7 +231,7 @@ ResolvedMaterials resolve_materials(const GltfModel& gltf, std::vector<Texture>&
     const tinygltf::Material& from = gltf.model.materials[i];
     Material material = resolve_material(from, &cursors[i]);
     if (material.name.empty()) material.name = "materials[" + std::to_string(i) + "]";
-    note_unused(from, &cursors[i], material.kind, notes, material.name);
+    note_changes(from, &cursors[i], material, notes);
     TextureAssigner(loader, material, resolved.texture_uses.emplace_back(), notes).assign_all(from);
     resolved.materials.push_back(std::move(material));
   }

@@ -1,11 +1,13 @@
 #include "scene/gltf/meshes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <limits>
 #include <numeric>
 
 #include "scene/gltf/accessor.h"
+#include "scene/gltf/check/limits.h"
 #include "scene/mesh_repair.h"
 #include "scene/mesh_tangents.h"
 #include "scene/scene_error.h"
@@ -90,7 +92,60 @@ bool is_triangles(int mode) {
          mode == TINYGLTF_MODE_TRIANGLE_FAN;
 }
 
+int accessor_of(const tinygltf::Primitive& primitive, const std::string& attribute) {
+  const auto found = primitive.attributes.find(attribute);
+  return found == primitive.attributes.end() ? -1 : found->second;
+}
+
+std::string path_of(std::size_t mesh, std::size_t primitive) {
+  return "meshes[" + std::to_string(mesh) + "].primitives[" + std::to_string(primitive) + "]";
+}
+
+// Strips and fans have nearly a triangle for each index. The indices of points and lines are read
+// too, though not drawn.
+std::size_t triangle_count(std::size_t indices, int mode) {
+  const bool is_row = mode == TINYGLTF_MODE_TRIANGLE_STRIP || mode == TINYGLTF_MODE_TRIANGLE_FAN;
+  return is_row ? indices : indices / 3;
+}
+
+// An accessor in a Draco block may be joined by others that are not, each with a count of its own.
+void check_lengths(const Mesh& mesh, const std::string& where) {
+  const auto fits = [&](const auto& values) {
+    return values.empty() || values.size() == mesh.positions.size();
+  };
+  if (!fits(mesh.normals) || !fits(mesh.uvs) || !fits(mesh.second_uvs) || !fits(mesh.colors) ||
+      !fits(mesh.tangents)) {
+    throw SceneError(where + ": its attributes have different numbers of vertices");
+  }
+}
+
 }  // namespace
+
+void check_mesh_sizes(const tinygltf::Model& model) {
+  const auto count_of = [&](int accessor) {
+    return model.accessors[static_cast<std::size_t>(accessor)].count;
+  };
+  std::size_t vertices = 0, triangles = 0;
+  for (std::size_t i = 0; i < model.meshes.size(); ++i) {
+    for (std::size_t k = 0; k < model.meshes[i].primitives.size(); ++k) {
+      const tinygltf::Primitive& primitive = model.meshes[i].primitives[k];
+      const int positions = accessor_of(primitive, "POSITION");
+      if (positions < 0) continue;
+      const std::size_t indices = count_of(primitive.indices >= 0 ? primitive.indices : positions);
+      // Flat normals give each triangle vertices of its own.
+      const bool is_flat = accessor_of(primitive, "NORMAL") < 0 && is_triangles(primitive.mode);
+      const std::size_t drawn = triangle_count(indices, primitive.mode);
+      vertices += is_flat ? std::max(count_of(positions), 3 * drawn) : count_of(positions);
+      triangles += drawn;
+      if (vertices > kMaxVertices) {
+        throw SceneError(path_of(i, k) + ": the meshes have more than 50 million vertices");
+      }
+      if (triangles > kMaxTriangles) {
+        throw SceneError(path_of(i, k) + ": the meshes have more than 50 million triangles");
+      }
+    }
+  }
+}
 
 std::vector<ReadPrimitive> read_primitives(const GltfModel& gltf, std::size_t mesh_index,
                                            const ResolvedMaterials& materials,
@@ -100,13 +155,9 @@ std::vector<ReadPrimitive> read_primitives(const GltfModel& gltf, std::size_t me
   std::vector<ReadPrimitive> read;
   for (std::size_t i = 0; i < from.primitives.size(); ++i) {
     const tinygltf::Primitive& primitive = from.primitives[i];
-    const std::string where =
-        "meshes[" + std::to_string(mesh_index) + "].primitives[" + std::to_string(i) + "]";
+    const std::string where = path_of(mesh_index, i);
     const auto note = [&](const std::string& what) { notes.push_back(where + ": " + what); };
-    const auto attribute = [&](const std::string& name) {
-      const auto found = primitive.attributes.find(name);
-      return found == primitive.attributes.end() ? -1 : found->second;
-    };
+    const auto attribute = [&](const std::string& name) { return accessor_of(primitive, name); };
     if (attribute("POSITION") < 0) continue;  // noted by the check
 
     ReadPrimitive out;
@@ -139,6 +190,7 @@ std::vector<ReadPrimitive> read_primitives(const GltfModel& gltf, std::size_t me
     if (attribute("TANGENT") >= 0 && material.normal_texture && !out.mesh.normals.empty())
       out.mesh.tangents = read_vec4(model, attribute("TANGENT"));
 
+    check_lengths(out.mesh, where);
     const MeshRepairs repairs = repair_mesh(out.mesh);
     if (repairs.any()) note(repairs.describe());
     if (material.normal_texture) {

@@ -17,6 +17,10 @@ struct ReadPrimitive {
   std::size_t material = 0;  // index into ResolvedMaterials::materials
 };
 
+// Throws SceneError if the primitives of all meshes have more vertices or triangles than the limits
+// (check/limits.h), by what their accessors say. To be asked before any is read.
+void check_mesh_sizes(const tinygltf::Model& model);
+
 // The drawable primitives of one glTF mesh: lists, strips and fans of triangles. Points, lines, and
 // primitives without a triangle after repair are left out and noted. Throws SceneError for an index
 // out of range.

@@ -1,9 +1,10 @@
 #include "scene/gltf/model.h"
 
-#include <algorithm>
 #include <exception>
 
+#include "common/one_line.h"
 #include "scene/gltf/check/check.h"
+#include "scene/gltf/check/limits.h"
 #include "scene/gltf/compressed_data.h"
 #include "scene/gltf/container.h"
 #include "scene/gltf/lights.h"
@@ -15,19 +16,11 @@
 namespace amalgam::scene {
 namespace {
 
-constexpr std::size_t kMaxFileBytes = std::size_t{512} << 20;
-
 void check_lights(const JsonCursor& root, std::vector<std::string>& notes) {
   const std::size_t lights = read_lights(root, &notes).size();
   const auto nodes = root.find("nodes");
   if (!nodes) return;
   for (const JsonCursor& node : nodes->items()) node_light(node, lights);
-}
-
-std::string one_line(std::string text) {
-  while (!text.empty() && text.back() == '\n') text.pop_back();
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  return text;
 }
 
 void parse(tinygltf::Model& model, const std::string& json) {
@@ -40,7 +33,7 @@ void parse(tinygltf::Model& model, const std::string& json) {
   } catch (const std::exception& caught) {  // bad_alloc, JSON type errors
     error = caught.what();
   }
-  if (!ok) throw SceneError("tinygltf refuses it: " + one_line(error));
+  if (!ok) throw SceneError("tinygltf refuses it: " + common::one_line(error));
 }
 
 // What reduced_document() leaves out and later steps read.

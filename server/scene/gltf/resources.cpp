@@ -4,6 +4,7 @@
 #include <span>
 
 #include "codec/picture.h"
+#include "scene/gltf/check/limits.h"
 #include "scene/gltf/check/texture_source.h"
 #include "scene/gltf/check/uri.h"
 #include "scene/scene_error.h"
@@ -11,12 +12,16 @@
 namespace amalgam::scene {
 namespace {
 
-constexpr std::size_t kMaxFileBytes = std::size_t{512} << 20;
-
 std::vector<unsigned char> bytes_of(std::span<const std::byte> bytes) {
   const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
   return {data, data + bytes.size()};
 }
+
+// Not only noted where no texture uses the picture: the next one would be read in vain too.
+class NoRoom : public SceneError {
+ public:
+  using SceneError::SceneError;
+};
 
 std::vector<JsonCursor> elements(const JsonCursor& root, const char* collection) {
   const auto found = root.find(collection);
@@ -48,9 +53,10 @@ std::filesystem::path GltfResources::resolve(const JsonCursor& uri) const {
   uri.fail(refusal);
 }
 
-std::vector<unsigned char> GltfResources::read_uri(const JsonCursor& uri) const {
+std::vector<unsigned char> GltfResources::read_uri(const JsonCursor& uri,
+                                                   std::size_t wanted) const {
   if (is_data_uri(uri.string())) return decode_data_uri(uri);
-  return bytes_of(read_file(resolve(uri), kMaxFileBytes));
+  return bytes_of(read_file(resolve(uri), kMaxFileBytes, wanted));
 }
 
 void GltfResources::read_buffers(tinygltf::Model& model) const {
@@ -59,9 +65,9 @@ void GltfResources::read_buffers(tinygltf::Model& model) const {
     const auto uri = at.find("uri");
     Bytes& data = model.buffers.emplace_back().data;
     if (uri) {
-      data = read_uri(*uri);
+      data = read_uri(*uri, length);
     } else if (model.buffers.size() == 1 && container_.binary) {
-      data = bytes_of(*container_.binary);
+      data = bytes_of(container_.binary->first(std::min(length, container_.binary->size())));
     } else {
       continue;  // the check lets only buffers pass that nothing reads
     }
@@ -74,14 +80,21 @@ void GltfResources::read_buffers(tinygltf::Model& model) const {
 }
 
 std::vector<unsigned char> GltfResources::read_picture(const JsonCursor& at,
-                                                       const tinygltf::Model& model) const {
+                                                       const tinygltf::Model& model,
+                                                       std::size_t room) const {
+  const auto check_room = [&](std::size_t bytes) {
+    if (bytes > room) throw NoRoom(at.path() + ": the pictures together are too large");
+  };
   Bytes encoded;
   if (const auto uri = at.find("uri")) {
-    encoded = read_uri(*uri);
+    // One byte more than there is room for tells that it is too large.
+    encoded = read_uri(*uri, room + 1);
+    check_room(encoded.size());
   } else if (const auto view_at = at.find("bufferView")) {
     const auto& view = model.bufferViews[static_cast<std::size_t>(view_at->integer(0))];
     const Bytes& data = model.buffers[static_cast<std::size_t>(view.buffer)].data;
     if (data.size() < view.byteOffset + view.byteLength) at.fail("its buffer has no data");
+    check_room(view.byteLength);
     const auto first = data.begin() + static_cast<std::ptrdiff_t>(view.byteOffset);
     encoded.assign(first, first + static_cast<std::ptrdiff_t>(view.byteLength));
   } else {
@@ -102,7 +115,7 @@ std::vector<unsigned char> GltfResources::read_picture(const JsonCursor& at,
   return encoded;
 }
 
-void GltfResources::read_pictures(tinygltf::Model& model) const {
+void GltfResources::read_pictures(tinygltf::Model& model, std::size_t max_bytes) const {
   const auto images = elements(root_, "images");
   const auto textures = elements(root_, "textures");
   std::vector<bool> is_used(images.size(), false);
@@ -114,7 +127,10 @@ void GltfResources::read_pictures(tinygltf::Model& model) const {
   model.images.resize(images.size());
   for (std::size_t i = 0; i < images.size(); ++i) {
     try {
-      model.images[i].image = read_picture(images[i], model);
+      model.images[i].image = read_picture(images[i], model, max_bytes);
+      max_bytes -= model.images[i].image.size();
+    } catch (const NoRoom&) {
+      throw;
     } catch (const SceneError& caught) {
       if (is_used[i]) throw;
       notes_.push_back(std::string(caught.what()) + " (no texture uses it)");

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/gltf/check/limits.h"
 #include "scene/gltf/container.h"
 #include "scene/gltf/model.h"
 #include "scene/gltf/scene_folder.h"
@@ -24,13 +25,15 @@ class GltfResources {
   void read_buffers(tinygltf::Model& model) const;
 
   // Fills the model's images and the sources of its textures, after the buffers. Notes what is
-  // wrong with a picture that no texture uses. Throws SceneError naming the image.
-  void read_pictures(tinygltf::Model& model) const;
+  // wrong with a picture that no texture uses. Throws SceneError naming the image, also if all
+  // together have more than max_bytes.
+  void read_pictures(tinygltf::Model& model, std::size_t max_bytes = kMaxPictureBytes) const;
 
  private:
   using Bytes = std::vector<unsigned char>;
-  Bytes read_uri(const JsonCursor& uri) const;
-  Bytes read_picture(const JsonCursor& image, const tinygltf::Model& model) const;
+  // wanted: bytes from the front of a file. A data URI is decoded whole.
+  Bytes read_uri(const JsonCursor& uri, std::size_t wanted) const;
+  Bytes read_picture(const JsonCursor& image, const tinygltf::Model& model, std::size_t room) const;
   std::filesystem::path resolve(const JsonCursor& uri) const;
 
   const JsonCursor& root_;

@@ -29,11 +29,8 @@ std::filesystem::path SceneFolder::resolve(const std::string& name) const {
   return path;
 }
 
-std::vector<std::byte> SceneFolder::read(const std::string& name, std::size_t max_bytes) const {
-  return read_file(resolve(name), max_bytes);
-}
-
-std::vector<std::byte> read_file(const std::filesystem::path& path, std::size_t max_bytes) {
+std::vector<std::byte> read_file(const std::filesystem::path& path, std::size_t max_bytes,
+                                 std::size_t wanted) {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   if (error) throw SceneError("'" + path.filename().string() + "': " + error.message());
@@ -41,7 +38,7 @@ std::vector<std::byte> read_file(const std::filesystem::path& path, std::size_t 
     throw SceneError("'" + path.filename().string() + "' is larger than " +
                      std::to_string(max_bytes >> 20) + " MiB");
   }
-  std::vector<std::byte> bytes(static_cast<std::size_t>(size));
+  std::vector<std::byte> bytes(std::min(static_cast<std::size_t>(size), wanted));
   std::ifstream file(path, std::ios::binary);
   file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
   if (!file || file.gcount() != static_cast<std::streamsize>(bytes.size())) {

@@ -16,14 +16,13 @@ class SceneFolder {
   // is not a regular file or, with links followed, lies outside the folder.
   std::filesystem::path resolve(const std::string& name) const;
 
-  // The whole file. Throws SceneError as resolve() does, or if it is larger than max_bytes.
-  std::vector<std::byte> read(const std::string& name, std::size_t max_bytes) const;
-
  private:
   std::filesystem::path folder_;  // canonical
 };
 
-// Throws SceneError if the file cannot be read or is larger than max_bytes.
-std::vector<std::byte> read_file(const std::filesystem::path& path, std::size_t max_bytes);
+// The file, or its first `wanted` bytes. Throws SceneError if it cannot be read or is larger than
+// max_bytes.
+std::vector<std::byte> read_file(const std::filesystem::path& path, std::size_t max_bytes,
+                                 std::size_t wanted = static_cast<std::size_t>(-1));
 
 }  // namespace amalgam::scene

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "codec/picture.h"
+#include "scene/gltf/check/limits.h"
 #include "scene/scene_error.h"
 
 namespace amalgam::scene {
@@ -34,7 +35,6 @@ std::optional<std::uint32_t> TextureLoader::load(int index, TexelEncoding encodi
   } catch (const codec::PictureError& caught) {
     throw SceneError("images[" + std::to_string(from.source) + "]: " + caught.what());
   }
-  constexpr std::size_t kMaxTexels = std::size_t{128} << 20;
   texels_ += texture.texels.pixels().size();
   if (texels_ > kMaxTexels) throw SceneError("textures together are larger than 128 Mpixel");
   if (from.sampler >= 0) {

@@ -5,6 +5,7 @@
 #include <glm/matrix.hpp>
 #include <limits>
 
+#include "scene/gltf/check/limits.h"
 #include "scene/scene_error.h"
 
 namespace amalgam::scene {
@@ -85,16 +86,19 @@ bool is_collapsed(const glm::dmat4& affine) {
   return largest < kTiny || condition_number(affine) > kFlat;
 }
 
-void check_transform_usable(const glm::dmat4& affine, const std::string& path) {
-  constexpr double kMaxCondition = 1e6 * (1.0 + 1e-3);  // the computed one is good to 1e-4 there
-  constexpr double kMaxEntry = 1e11;  // metres; the tracer's rays start within 1e12
-  constexpr double kMinDeterminant = 1e-36, kMaxDeterminant = 1e36;  // Embree's is a normal float
+void check_transform_finite(const glm::dmat4& affine, const std::string& path) {
   for (int i = 0; i < 4; ++i) {
     for (int j = 0; j < 3; ++j) {
-      if (!(std::abs(affine[i][j]) <= kMaxEntry))
+      if (!(std::abs(affine[i][j]) <= kMaxPlace))
         throw SceneError(path + ": its transform is not finite or too large");
     }
   }
+}
+
+void check_transform_usable(const glm::dmat4& affine, const std::string& path) {
+  constexpr double kMaxCondition = 1e6 * (1.0 + 1e-3);  // the computed one is good to 1e-4 there
+  constexpr double kMinDeterminant = 1e-36, kMaxDeterminant = 1e36;  // Embree's is a normal float
+  check_transform_finite(affine, path);
   const double determinant = std::abs(glm::determinant(glm::dmat3(affine)));
   if (!(condition_number(affine) <= kMaxCondition) || !(determinant >= kMinDeterminant)) {
     throw SceneError(path + ": its transform (with its parents') is singular or nearly so");

@@ -18,8 +18,11 @@ double condition_number(const glm::dmat4& affine);
 // as for atoms.
 bool is_collapsed(const glm::dmat4& affine);
 
-// Throws SceneError "path: ..." if the condition number is over 1e6 (numerics B23), or if float
-// cannot hold the matrix, its determinant or its inverse.
+// Throws SceneError "path: ..." if an entry is not finite or beyond kMaxPlace.
+void check_transform_finite(const glm::dmat4& affine, const std::string& path);
+
+// Throws SceneError "path: ..." likewise, if the condition number is over 1e6 (numerics B23), or if
+// float cannot hold the matrix, its determinant or its inverse.
 void check_transform_usable(const glm::dmat4& affine, const std::string& path);
 
 }  // namespace amalgam::scene

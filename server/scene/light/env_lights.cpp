@@ -8,16 +8,14 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "scene/light/luminance.h"
+
 namespace amalgam::scene {
 namespace {
 
 constexpr int kOctants = 8;
 
 constexpr double kPi = std::numbers::pi;
-
-double luminance(const glm::dvec3& rgb) {  // Rec. 709
-  return 0.2126 * rgb.x + 0.7152 * rgb.y + 0.0722 * rgb.z;
-}
 
 // Texels [x0, x1) x [y0, y1).
 struct Region {
@@ -32,11 +30,8 @@ class EnergyMap {
  public:
   explicit EnergyMap(const Environment& environment)
       : environment_(environment), map_(environment.radiance) {
-    // The exact solid angle of a texel in each row; all rows together make 4 pi.
-    const double height = map_.height();
     for (int y = 0; y < map_.height(); ++y) {
-      const double top = std::cos(kPi * y / height), bottom = std::cos(kPi * (y + 1) / height);
-      solid_angles_.push_back(2.0 * kPi / map_.width() * (top - bottom));
+      solid_angles_.push_back(texel_solid_angle(environment, y));
     }
   }
 
@@ -119,7 +114,7 @@ class EnergyMap {
 
 void sort_brightest_first(std::vector<Light>& lights) {
   std::stable_sort(lights.begin(), lights.end(), [](const Light& a, const Light& b) {
-    return luminance(a.intensity) > luminance(b.intensity);
+    return luminance(glm::dvec3(a.intensity)) > luminance(glm::dvec3(b.intensity));
   });
 }
 

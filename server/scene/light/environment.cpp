@@ -26,6 +26,13 @@ glm::vec3 environment_direction(const Environment& environment, const glm::vec2&
           std::sin(colatitude) * std::cos(longitude)};
 }
 
+double texel_solid_angle(const Environment& environment, int y) {
+  constexpr double kPi = std::numbers::pi;
+  const double height = environment.radiance.height();
+  const double top = std::cos(kPi * y / height), bottom = std::cos(kPi * (y + 1) / height);
+  return 2.0 * kPi / environment.radiance.width() * (top - bottom);
+}
+
 glm::vec3 largest_radiance(const Environment& environment) {
   glm::vec3 largest(0.0f);
   for (const glm::vec3& texel : environment.radiance.pixels()) largest = glm::max(largest, texel);

@@ -26,6 +26,9 @@ glm::vec2 environment_pixel(const Environment& environment, const glm::vec3& dir
 // The unit direction of continuous pixel coordinates.
 glm::vec3 environment_direction(const Environment& environment, const glm::vec2& pixel);
 
+// Of each texel in row y, in sr. All texels together make 4 pi.
+double texel_solid_angle(const Environment& environment, int y);
+
 // The largest value of each channel.
 glm::vec3 largest_radiance(const Environment& environment);
 

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <vector>
 
+#include "scene/light/luminance.h"
+
 namespace amalgam::scene {
 namespace {
 
@@ -20,9 +22,8 @@ std::vector<Texel> texels(const Environment& environment) {
   const common::ImageRgb32f& map = environment.radiance;
   std::vector<Texel> all;
   all.reserve(map.pixels().size());
-  const double area = 2.0 * kPi * kPi / (static_cast<double>(map.width()) * map.height());
   for (int y = 0; y < map.height(); ++y) {
-    const double solid_angle = area * std::sin(kPi * (y + 0.5) / map.height());
+    const double solid_angle = texel_solid_angle(environment, y);
     for (int x = 0; x < map.width(); ++x) {
       all.push_back({glm::dvec3(environment_direction(environment, {x, y})),
                      glm::dvec3(map.at(x, y)) * solid_angle});
@@ -36,10 +37,6 @@ glm::dvec3 irradiance(std::span<const Texel> all, const glm::dvec3& normal) {
   for (const Texel& texel : all)
     sum += texel.energy * std::max(0.0, glm::dot(normal, texel.direction));
   return sum;
-}
-
-double luminance(const glm::dvec3& rgb) {
-  return glm::dot(rgb, glm::dvec3(0.2126, 0.7152, 0.0722));
 }
 
 // The k-th of n directions on a Fibonacci spiral: as even as n points on a sphere easily are.

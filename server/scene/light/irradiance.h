@@ -10,8 +10,8 @@
 
 namespace amalgam::scene {
 
-// Irradiance on a surface with this unit normal: integral of L max(N.w, 0) dw over the map's texels
-// (solid angle by sin(colatitude)), and its sum over directional lights.
+// Irradiance on a surface with this unit normal: integral of L max(N.w, 0) dw over the map's
+// texels, each at its centre, and its sum over directional lights.
 glm::vec3 environment_irradiance(const Environment& environment, const glm::vec3& normal);
 glm::vec3 lights_irradiance(std::span<const Light> lights, const glm::vec3& normal);
 

@@ -10,9 +10,8 @@ namespace amalgam::scene {
 struct Light {
   enum class Kind : std::uint8_t { Directional, Point, Spot };
   Kind kind = Kind::Directional;
-  glm::vec3 to_light{0.0f, 1.0f,
-                     // Unit. Directional: towards the light. Spot: against its axis.
-                     0.0f};
+  // Unit. Directional: towards the light. Spot: against its axis.
+  glm::vec3 to_light{0.0f, 1.0f, 0.0f};
   glm::vec3 position{0.0f};  // point and spot: metres
   // Directional: irradiance on a surface facing it (for an environment light, radiance x solid
   // angle). Point and spot: radiant intensity; irradiance is intensity / distance^2.

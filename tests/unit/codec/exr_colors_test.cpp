@@ -4,6 +4,7 @@
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfOutputFile.h>
+#include <ImfRgbaFile.h>
 #include <ImfStandardAttributes.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -91,6 +92,31 @@ TEST_F(ExrColors, AChoiceOfLayersIsRefusedByName) {
   EXPECT_THAT([&] { read_exr(path_); }, ThrowsMessage<ExrError>(HasSubstr("one, two")));
   write_exr(path_, {{"depth", plane(1)}, {"mask", plane(1)}});
   EXPECT_THAT([&] { read_exr(path_); }, ThrowsMessage<ExrError>(HasSubstr("but depth, mask")));
+}
+
+TEST_F(ExrColors, LuminanceAndChromaAreReadAsGreyWithANote) {
+  const std::vector<Imf::Rgba> pixels(4, Imf::Rgba(0.5f, 0.25f, 1.0f));
+  {
+    Imf::RgbaOutputFile file(path_.c_str(), 2, 2, Imf::WRITE_YC);
+    file.setFrameBuffer(pixels.data(), 1, 2);
+    file.writePixels(2);
+  }
+  std::vector<std::string> notes;
+  const glm::vec3 grey = read_exr(path_, &notes).at(0, 0);
+  EXPECT_NEAR(grey.x, 0.2126f * 0.5f + 0.7152f * 0.25f + 0.0722f, 1e-2f);
+  EXPECT_EQ(grey, glm::vec3(grey.x));
+  EXPECT_THAT(notes, Contains(HasSubstr("its colors (RY, BY) are not supported; read as grey")));
+}
+
+// Blue alone is a color: its primary is not Rec. 709's.
+TEST_F(ExrColors, ChromaticitiesOfOneChannelAreConverted) {
+  Imf::Header header(1, 1);
+  Imf::addChromaticities(header, Imf::Chromaticities({1, 0}, {0, 1}, {0, 0}, {1 / 3.0f, 1 / 3.0f}));
+  write(header, common::ImageRgb32f(1, 1, glm::vec3(1.0f)), {"B", "other", "another"});
+  std::vector<std::string> notes;
+  const glm::vec3 color = read_exr(path_, &notes).at(0, 0);
+  EXPECT_THAT(notes, Contains(HasSubstr("converted from its chromaticities")));
+  EXPECT_LT(color.x, 0.0f);  // Z alone: less red than none
 }
 
 // ACES (AP0) and XYZ, stated. A grey of Rec. 709 in them, and back.

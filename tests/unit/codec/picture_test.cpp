@@ -52,6 +52,71 @@ TEST(Picture, RefusesLargeSizesBeforeDecoding) {
   EXPECT_THROW(check_picture(png), PictureError);
 }
 
+// Bits from the lowest of each byte on, as deflate has them (RFC 1951).
+class BitWriter {
+ public:
+  // The first bit of a code is its highest.
+  void put_code(unsigned code, int bits) {
+    for (int i = bits; i-- > 0;) put((code >> i & 1u) != 0);
+  }
+  std::string text() const { return text_; }
+
+ private:
+  void put(bool bit) {
+    if (used_ % 8 == 0) text_ += '\0';
+    if (bit) text_.back() = static_cast<char>(text_.back() | 1 << used_ % 8);
+    ++used_;
+  }
+  std::string text_;
+  int used_ = 0;
+};
+
+// 258 n + 1 zeros by zlib, in 13 n bits and some.
+std::string deflated_zeros(int n) {
+  BitWriter bits;
+  bits.put_code(0b110, 3);  // the last block, with fixed codes
+  bits.put_code(0b00110000, 8);
+  for (int i = 0; i < n; ++i) {
+    bits.put_code(0b11000101, 8);  // a copy of 258 bytes
+    bits.put_code(0, 5);           // of the byte before
+  }
+  bits.put_code(0, 7);
+  return "\x78\x01" + bits.text() + std::string(4, '\0');  // stb_image reads no check sum
+}
+
+std::string u32(std::size_t n) {
+  return {static_cast<char>(n >> 24 & 255), static_cast<char>(n >> 16 & 255),
+          static_cast<char>(n >> 8 & 255), static_cast<char>(n & 255)};
+}
+
+Bytes png_of(std::size_t width, std::size_t height, const std::string& kind,
+             const std::string& data) {
+  const auto chunk = [](const std::string& type, const std::string& content) {
+    return u32(content.size()) + type + content + u32(0);
+  };
+  return bytes_of("\x89PNG\r\n\x1A\n" + chunk("IHDR", u32(width) + u32(height) + kind) +
+                  chunk("IDAT", data) + chunk("IEND", ""));
+}
+
+// A picture of one texel whose data inflate to 2.6 MB. Some bytes too many are usual.
+TEST(Picture, APngInflatesOnlyAsFarAsItsSizeNeeds) {
+  const std::string grey{8, 0, 0, 0, 0};
+  EXPECT_EQ(decode_picture(png_of(1, 1, grey, deflated_zeros(4))).at(0, 0),
+            common::Rgba8(0, 0, 0, 255));
+  EXPECT_THROW(decode_picture(png_of(1, 1, grey, deflated_zeros(10'000))), PictureError);
+}
+
+// The largest that a right file needs: 16 bits, four channels, interlaced.
+TEST(Picture, TheLargestKindOfPngHasRoom) {
+  const std::string largest{16, 6, 0, 0, 1};
+  for (const std::size_t side : {1u, 30u, 500u}) {
+    const std::size_t bytes = 8 * side * side + 2 * side + 8;
+    const Bytes png =
+        png_of(side, side, largest, deflated_zeros(static_cast<int>(bytes / 258) + 1));
+    EXPECT_EQ(decode_picture(png).size(), glm::ivec2(static_cast<int>(side))) << side;
+  }
+}
+
 TEST(Picture, RefusesOtherKinds) {
   EXPECT_FALSE(is_picture(bytes_of("GIF89a")));
   EXPECT_THROW(decode_picture(bytes_of("GIF89a")), PictureError);

@@ -42,6 +42,18 @@ TEST(Environment, DirectionAndPixelAreInverse) {
   }
 }
 
+TEST(Environment, TexelsCoverTheSphere) {
+  for (const int height : {1, 2, 7, 64}) {
+    const Environment environment = blank(2 * height, height);
+    double sum = 0.0;
+    for (int y = 0; y < height; ++y) sum += 2 * height * texel_solid_angle(environment, y);
+    EXPECT_NEAR(sum, 4.0 * std::numbers::pi, 1e-12) << height;
+  }
+  // Between the pole and 60 degrees of latitude: 2 pi (1 - sin 60), in 12 texels.
+  EXPECT_NEAR(texel_solid_angle(blank(12, 6), 0), std::numbers::pi / 6 * (1 - std::sqrt(0.75)),
+              1e-12);
+}
+
 TEST(Environment, LookUpIsBilinearAndWrapsAround) {
   Environment environment = blank(4, 2);
   environment.radiance.at(0, 0) = environment.radiance.at(0, 1) = glm::vec3(1.0f);

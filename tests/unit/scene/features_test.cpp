@@ -59,7 +59,7 @@ TEST(Features, RealMirrorsAndGlassAreTold) {
       scene_of({{Role::Real, MaterialKind::Mirror}, {Role::Virtual, MaterialKind::Dielectric}}));
   EXPECT_TRUE(features.has_real_specular && features.has_transmissive);
   EXPECT_FALSE(features.has_diffuse);
-  EXPECT_TRUE(is_absent(features, "look-ups"));  // nothing real that is diffuse
+  EXPECT_TRUE(is_absent(features, "camera look-ups"));  // nothing real that is diffuse
 }
 
 TEST(Features, TexturesCountOnlyWithCoordinates) {

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <random>
 
+#include "scene/gltf/compressed_data.h"
 #include "unit/scene/gltf_sample.h"
 
 // The sample's triangle in every compression: positions, normals and indices are the same.
@@ -189,16 +190,22 @@ TEST(GltfCompression, MeshoptFiltersAreUndone) {
   EXPECT_LT(glm::distance(read, {0.6f, 0.0f, 0.8f}), 0.02f);
 }
 
-std::string encode_draco(bool quantize) {
+// The triangle, and more of the same above it.
+std::string encode_draco(bool quantize, int triangles = 1) {
   draco::TriangleSoupMeshBuilder builder;
-  builder.Start(1);
+  builder.Start(triangles);
   const int position =
       builder.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
   const int normal = builder.AddAttribute(draco::GeometryAttribute::NORMAL, 3, draco::DT_FLOAT32);
   const glm::vec3 up(0, 0, 1);
-  builder.SetAttributeValuesForFace(position, draco::FaceIndex(0), &kPositions[0], &kPositions[1],
-                                    &kPositions[2]);
-  builder.SetAttributeValuesForFace(normal, draco::FaceIndex(0), &up, &up, &up);
+  for (int i = 0; i < triangles; ++i) {
+    const draco::FaceIndex face(static_cast<std::uint32_t>(i));
+    const glm::vec3 height(0, 0, i);
+    const glm::vec3 a = kPositions[0] + height, b = kPositions[1] + height,
+                    c = kPositions[2] + height;
+    builder.SetAttributeValuesForFace(position, face, &a, &b, &c);
+    builder.SetAttributeValuesForFace(normal, face, &up, &up, &up);
+  }
   const auto mesh = builder.Finalize();
   draco::Encoder encoder;
   if (quantize) encoder.SetAttributeQuantization(draco::GeometryAttribute::POSITION, 14);
@@ -232,6 +239,70 @@ TEST(GltfCompression, DracoWithWrongAttributesIsRefused) {
               HasSubstr("no such attribute"));
   EXPECT_THAT(refusal_of(replaced(right, R"("NORMAL": 1}})", R"("COLOR_0": 1}})")),
               HasSubstr("is no attribute of its primitive"));
+}
+
+// An attribute beside the block keeps its own accessor, whose number nothing else compares.
+TEST(GltfCompression, DracoAndAttributesBesideItMustAgree) {
+  const auto with_zero_normals = [](int triangles) {
+    return refusal_of(
+        replaced(with_draco(encode_draco(false, triangles)), R"(, "NORMAL": 1}})", "}}"));
+  };
+  EXPECT_EQ(with_zero_normals(1), "accepted");
+  EXPECT_THAT(with_zero_normals(2), HasSubstr("meshes[0].primitives[0]: its attributes have "
+                                              "different numbers of vertices"));
+}
+
+TEST(GltfCompression, DracoOfAnAttributeWithoutAnAccessorIsNotFollowed) {
+  for (const char* wrong : {"99", "-1", "2000000000"}) {
+    std::string text = replaced(with_draco(encode_draco(false)), R"("NORMAL": 2)",
+                                R"("NORMAL": 2, "_own": )" + std::string(wrong));
+    text = replaced(text, R"("NORMAL": 1}})", R"("NORMAL": 1, "_own": 1}})");
+    const Scene scene = load_text(text);
+    expect_triangle(scene);
+    EXPECT_THAT(scene.notes, Contains(HasSubstr("_own"))) << wrong;
+  }
+}
+
+// What is not in the block has no data.
+TEST(GltfCompression, DracoStandsForItsOwnAttributesOnly) {
+  std::string text = with_draco(encode_draco(false));
+  for (int i = 0; i < 2; ++i)
+    text = replaced(text, R"("count": 3, "type": "VEC3")", R"("count": 2000000, "type": "VEC3")");
+  EXPECT_EQ(refusal_of(text), "accepted");
+  EXPECT_THAT(refusal_of(replaced(text, R"(, "NORMAL": 1}})", "}}")),
+              HasSubstr("NORMAL: has more than a million elements and no data"));
+}
+
+// The file's only primitive as often as that.
+std::string with_primitives(const std::string& text, int count) {
+  const std::size_t begin = text.find(R"({"attributes")");
+  const std::size_t end = text.find("}]}],\n\"accessors\"") + 1;
+  std::string more;
+  for (int i = 1; i < count; ++i) more += "," + text.substr(begin, end - begin);
+  return std::string(text).insert(end, more);
+}
+
+TEST(GltfCompression, PrimitivesOfOneDracoBlockCountEach) {
+  std::vector<std::string> notes;
+  GltfModel loaded = load_gltf_model(
+      write_file("sample.gltf", with_primitives(with_draco(encode_draco(false)), 2)), notes);
+  ASSERT_EQ(loaded.model.meshes.at(0).primitives.size(), 2u);
+  const auto decompress = [&](const DracoLimits& limits) {
+    return [&, limits] { decompress_draco(JsonCursor(loaded.document), loaded.model, limits); };
+  };
+  // Each has three vertices of 24 bytes.
+  decompress({6, 2, 144})();
+  using testing::ThrowsMessage;
+  EXPECT_THAT(decompress({5, 2, 144}), ThrowsMessage<SceneError>(HasSubstr("too many vertices")));
+  EXPECT_THAT(decompress({6, 1, 144}), ThrowsMessage<SceneError>(HasSubstr("too many triangles")));
+  EXPECT_THAT(decompress({6, 2, 143}), ThrowsMessage<SceneError>(HasSubstr("too many bytes")));
+}
+
+TEST(GltfCompression, DracoBlocksAreCountedAsOftenAsTheyAreNamed) {
+  const std::string text = with_draco(std::string(std::size_t{1} << 20, '\0'));
+  EXPECT_THAT(refusal_of(with_primitives(text, 513)),
+              HasSubstr("primitives[512].extensions.KHR_draco_mesh_compression.bufferView: the "
+                        "compressed blocks of all primitives are larger than 512 MiB"));
 }
 
 // Damaged data are read or refused; nothing crashes.

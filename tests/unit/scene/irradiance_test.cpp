@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "scene/light/env_lights.h"
@@ -20,6 +21,13 @@ TEST(Irradiance, OfAConstantMapIsPi) {
        {glm::vec3(0, 1, 0), glm::vec3(1, 0, 0), glm::vec3(0.6f, 0, -0.8f)}) {
     EXPECT_NEAR(environment_irradiance(constant_map(), normal).y, kPi, 0.01f);
   }
+}
+
+// Of one row, whose texels all lie at the horizon: 4 pi, each texel by the cosine of its centre.
+TEST(Irradiance, OfOneRowHasTheWholeSolidAngle) {
+  const Environment row{common::ImageRgb32f(4, 1, glm::vec3(1.0f)), false};
+  // Centres at longitudes of 45 degrees: two of four are seen, at a cosine of sqrt(1/2).
+  EXPECT_NEAR(environment_irradiance(row, {0, 0, 1}).x, 2.0f * kPi * std::sqrt(0.5f), 1e-5f);
 }
 
 TEST(Irradiance, OfOneLightIsItsCosine) {

@@ -87,6 +87,16 @@ std::string glb_of(const std::string& chunks) {
 const std::string kJsonChunk = u32(4) + "JSON{}  ";
 const std::string kBinChunk = u32(4) + std::string("BIN\0abcd", 8);
 
+TEST(JsonValue, ListsTellTheirSizeAndFront) {
+  const JsonValue root = parse_json(R"({"a": [7, "x"], "b": [], "c": {}})");
+  const JsonCursor cursor(root);
+  EXPECT_EQ(cursor.get("a").size(), 2u);
+  EXPECT_EQ(cursor.get("a").front()->path(), "a[0]");
+  EXPECT_EQ(cursor.get("a").front()->integer(0), 7);
+  EXPECT_FALSE(cursor.get("b").front());
+  EXPECT_EQ(message_of([&] { cursor.get("c").front(); }), "c: expected an array, not an object");
+}
+
 TEST(GltfContainer, ChunksAreFound) {
   const std::string file = glb_of(kJsonChunk + kBinChunk);
   const Opened glb = open(file, false);

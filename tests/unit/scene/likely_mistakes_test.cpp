@@ -102,6 +102,51 @@ TEST(GlassWinding, HollowsAndOtherMaterialsStay) {
   EXPECT_LT(signed_volume(room.meshes[0]), 0.0);
 }
 
+// Comparing each with each would not end.
+TEST(GlassWinding, VeryManyBodiesAreLeftAsTheyAre) {
+  Mesh mesh = cube();
+  flip_winding(mesh);
+  Scene scene = glass_scene({mesh});
+  const Instance first = scene.instances[0];
+  scene.instances.assign(10'001, first);
+  turn_glass_outward(scene);
+  EXPECT_THAT(scene.notes, Contains(HasSubstr("more than 10,000 bodies of glass")));
+  EXPECT_LT(signed_volume(scene.meshes[0]), 0.0);
+  // What is not solid glass does not count.
+  scene.notes.clear();
+  scene.materials.push_back(scene.materials[0]);
+  scene.materials[1].kind = MaterialKind::Diffuse;
+  scene.meshes.push_back(cube());
+  for (std::size_t i = 1; i < scene.instances.size(); ++i) {
+    scene.instances[i].material = scene.instances[i].mesh = 1;
+  }
+  turn_glass_outward(scene);
+  EXPECT_TRUE(scene.notes.empty());
+  EXPECT_GT(signed_volume(scene.meshes[0]), 0.0);
+}
+
+TEST(GlassWinding, WhatAnotherMaterialWearsTooStays) {
+  Mesh mesh = cube();
+  flip_winding(mesh);
+  Scene scene = glass_scene({mesh});
+  scene.materials.emplace_back();
+  scene.instances.push_back(scene.instances[0]);
+  scene.instances[1].material = 1;
+  turn_glass_outward(scene);
+  EXPECT_LT(signed_volume(scene.meshes[0]), 0.0);
+}
+
+// What lies on another marker may be anywhere: it is nobody's hollow.
+TEST(GlassWinding, OnlyGlassOfTheSameMarkerHasHollows) {
+  Mesh inner = cube();
+  for (glm::vec3& p : inner.positions) p *= 0.5f;
+  flip_winding(inner);
+  Scene scene = glass_scene({cube(), inner});
+  scene.instances[1].marker = 7;
+  turn_glass_outward(scene);
+  EXPECT_GT(signed_volume(scene.meshes[1]), 0.0);
+}
+
 TEST(LikelyMistakes, NoLight) {
   Scene scene;
   EXPECT_THAT(likely_mistakes(scene), Contains(HasSubstr("no light and no environment")));
@@ -119,6 +164,9 @@ TEST(LikelyMistakes, BodiesOfThinGlass) {
   EXPECT_THAT(likely_mistakes(scene), Not(Contains(HasSubstr("does not refract"))));
   scene.materials[0].thin = true;
   EXPECT_THAT(likely_mistakes(scene), Contains(HasSubstr("node body0: its material glass")));
+  scene.instances.push_back(scene.instances[0]);
+  scene.instances[1].node = "again";
+  EXPECT_THAT(likely_mistakes(scene), Contains(HasSubstr("node again: its material glass")));
   for (glm::vec3& p : scene.meshes[0].positions) p.y *= 0.01f;  // a pane
   EXPECT_THAT(likely_mistakes(scene), Not(Contains(HasSubstr("does not refract"))));
 }

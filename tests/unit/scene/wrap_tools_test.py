@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The scripts that make scenes of other people's models. Argument: the folder deploy/scenes."""
 
+import base64
 import json
 import math
 import struct
@@ -45,7 +46,7 @@ class Tools(unittest.TestCase):
     def run_tool(self, tool, model, *more):
         return subprocess.run([sys.executable, str(SCENES / tool), str(model), "--output",
                                str(self.folder / "out" / "scene.gltf"), *more],
-                              capture_output=True, text=True)
+                              capture_output=True, text=True, timeout=60)
 
     def obj(self, text):
         path = self.folder / "model.obj"
@@ -60,6 +61,52 @@ class Tools(unittest.TestCase):
         scene = json.loads((self.folder / "out" / "scene.gltf").read_text())
         self.assertEqual(scene["buffers"][0]["uri"], "scene.bin")
         self.assertEqual((self.folder / "out" / "scene.bin").read_bytes(), POSITIONS)
+
+    def test_names_of_our_own_stay_free(self):
+        """The model, its buffer and the scene may be called as anything of ours."""
+        source = {**MODEL, "buffers": [{"byteLength": 36, "uri": "table.bin"}]}
+        (self.folder / "out").mkdir()
+        model = self.folder / "out" / "table.gltf"
+        model.write_text(json.dumps(source))
+        (self.folder / "out" / "table.bin").write_bytes(POSITIONS)
+        done = self.run_tool("wrap_gltf.py", model)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("beside it table.bin, environment.exr", done.stdout)
+        self.assertEqual(json.loads(model.read_text()), source)
+        self.assertEqual((self.folder / "out" / "table.bin").read_bytes(), POSITIONS)
+        names = sorted(path.name for path in (self.folder / "out").iterdir())
+        self.assertEqual(names, ["environment.exr", "scene.gltf", "table.bin", "table.gltf"])
+        scene = json.loads((self.folder / "out" / "scene.gltf").read_text())
+        table = scene["buffers"][1]["uri"].removeprefix("data:application/octet-stream;base64,")
+        self.assertEqual(len(base64.b64decode(table)), scene["buffers"][1]["byteLength"])
+
+    def test_files_outside_the_folders_are_neither_read_nor_written(self):
+        (self.folder / "in").mkdir()
+        (self.folder / "secret.bin").write_bytes(POSITIONS)
+        (self.folder / "in" / "link").symlink_to(self.folder)
+        outside = self.folder / "elsewhere.bin"
+        model = self.folder / "in" / "model.gltf"
+        for uri in ("../secret.bin", "%2E%2E/secret.bin", str(self.folder / "secret.bin"),
+                    "link/secret.bin"):
+            model.write_text(json.dumps({**MODEL, "buffers": [{"byteLength": 36, "uri": uri}]}))
+            done = self.run_tool("wrap_gltf.py", model)
+            self.assertEqual(done.returncode, 1, uri)
+            self.assertIn("lies outside its folder", done.stderr)
+        # Inside where it is read, outside where it would be written.
+        (self.folder / "out" / "sub").symlink_to(self.folder)
+        (self.folder / "in" / "sub").mkdir()
+        (self.folder / "in" / "sub" / outside.name).write_bytes(POSITIONS)
+        model.write_text(json.dumps({**MODEL, "buffers": [
+            {"byteLength": 36, "uri": "sub/" + outside.name}]}))
+        self.assertEqual(self.run_tool("wrap_gltf.py", model).returncode, 1)
+        self.assertFalse(outside.exists())
+
+    def test_loops_of_nodes_are_refused(self):
+        for nodes in ([{"mesh": 0, "children": [0]}], [{"children": [1]}, {"children": [0]}]):
+            (self.folder / "model.glb").write_bytes(glb({**MODEL, "nodes": nodes}))
+            done = self.run_tool("wrap_gltf.py", self.folder / "model.glb")
+            self.assertEqual(done.returncode, 1)
+            self.assertIn("is its own ancestor", done.stderr)
 
     def test_errors_are_sentences(self):
         wrong = {**MODEL, "scenes": [{"name": "empty"}]}

@@ -42,9 +42,9 @@ std::size_t morph_targets(const GltfCheckContext& context, const JsonCursor& nod
   const auto mesh = node.find("mesh");
   if (!mesh) return 0;
   const JsonCursor& used = context.all("meshes")[context.resolve(*mesh, "meshes")];
-  const auto primitives = used.get("primitives").items();
-  const auto targets = primitives.empty() ? std::nullopt : primitives.front().find("targets");
-  return targets ? targets->items().size() : 0;
+  const auto first = used.get("primitives").front();
+  const auto targets = first ? first->find("targets") : std::nullopt;
+  return targets ? targets->size() : 0;
 }
 
 void check_output(const GltfCheckContext& context, const JsonCursor& channel,

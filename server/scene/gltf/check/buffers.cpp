@@ -1,4 +1,5 @@
 #include "scene/gltf/check/check_context.h"
+#include "scene/gltf/check/limits.h"
 #include "scene/gltf/check/uri.h"
 
 // Bytes: that every buffer, view and accessor lies inside what holds it, so that nothing later can
@@ -7,7 +8,6 @@
 namespace amalgam::scene {
 namespace {
 
-constexpr long long kMaxBufferBytes = 512LL << 20;
 constexpr const char* kMeshopt = "EXT_meshopt_compression";
 
 std::optional<JsonCursor> meshopt_of(const JsonCursor& holder) {
@@ -101,7 +101,7 @@ int component_count(std::string_view type) {
   return 0;
 }
 
-void check_buffers(const GltfCheckContext& context, std::optional<std::size_t> binary_bytes) {
+void check_buffers(GltfCheckContext& context, std::optional<std::size_t> binary_bytes) {
   const auto& buffers = context.all("buffers");
   long long total = 0;
   for (std::size_t i = 0; i < buffers.size(); ++i) {
@@ -110,9 +110,12 @@ void check_buffers(const GltfCheckContext& context, std::optional<std::size_t> b
     if (length == 0) context.note(buffers[i], "is empty");
     total += length;
     if (total > kMaxBufferBytes) length_at.fail("the buffers together are larger than 512 MiB");
-    if (const auto uri = buffers[i].find("uri")) {
+    const auto uri = buffers[i].find("uri");
+    const bool is_compressed = meshopt_of(buffers[i]).has_value();
+    context.buffers.push_back({length, !uri && is_compressed});
+    if (uri) {
       check_buffer_uri(context, *uri, length);
-    } else if (meshopt_of(buffers[i]) || length == 0) {
+    } else if (is_compressed || length == 0) {
       continue;  // what it would hold is compressed in another one
     } else if (i != 0 || !binary_bytes) {
       buffers[i].fail("has no uri, and there is no GLB chunk for it");
@@ -127,7 +130,7 @@ void check_buffer_views(GltfCheckContext& context) {
   long long decompressed = 0;
   for (const JsonCursor& at : context.all("bufferViews")) {
     const std::size_t buffer = context.resolve(at.get("buffer"), "buffers");
-    const long long available = context.all("buffers")[buffer].get("byteLength").integer(0);
+    const long long available = context.buffers[buffer].length;
     ViewFacts view;
     view.length = at.get("byteLength").integer(0, kMaxBufferBytes);
     // Against the specification, but exporters write them for empty tables of metadata. Whatever
@@ -146,12 +149,11 @@ void check_buffer_views(GltfCheckContext& context) {
       if (bytes > view.length) context.note(*stride, "is longer than the bufferView");
     }
     const auto compressed = meshopt_of(at);
-    const JsonCursor& holder = context.all("buffers")[buffer];
     if (compressed) {
       check_meshopt(context, *compressed, view.length);
       decompressed += view.length;
       if (decompressed > kMaxBufferBytes) at.fail("decompressed data are larger than 512 MiB");
-    } else if (!holder.find("uri") && meshopt_of(holder)) {
+    } else if (context.buffers[buffer].is_fallback) {
       at.fail("lies in a buffer without data");
     }
     context.views.push_back(view);
@@ -159,7 +161,6 @@ void check_buffer_views(GltfCheckContext& context) {
 }
 
 void check_accessors(GltfCheckContext& context) {
-  constexpr long long kMaxCount = 100'000'000;
   for (const JsonCursor& at : context.all("accessors")) {
     AccessorFacts accessor;
     const JsonCursor component_at = at.get("componentType"), type_at = at.get("type");
@@ -167,7 +168,7 @@ void check_accessors(GltfCheckContext& context) {
     if (component_bytes(accessor.component) == 0) component_at.fail("is not a component type");
     accessor.type = type_at.string();
     if (component_count(accessor.type) == 0) type_at.fail("'" + accessor.type + "' is not a type");
-    accessor.count = at.get("count").integer(0, kMaxCount);
+    accessor.count = at.get("count").integer(0, kMaxAccessorElements);
     if (accessor.count == 0) context.note(at, "has no elements");
     if (const auto normalized = at.find("normalized")) {
       accessor.normalized = normalized->boolean();

@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "scene/gltf/check/check_context.h"
+#include "scene/gltf/check/limits.h"
 
 namespace amalgam::scene {
 namespace {
@@ -36,7 +37,6 @@ Version read_version(const JsonCursor& at) {
 GltfCheckContext::GltfCheckContext(const JsonCursor& document,
                                    std::vector<std::string>& found_notes)
     : root(document), notes_(found_notes) {
-  constexpr std::size_t kMaxElements = 200'000;
   root.expect_object();
   for (const std::string_view name : kCollections) {
     auto& elements = collections_[std::string(name)];
@@ -81,7 +81,6 @@ void GltfCheckContext::note(const JsonCursor& where, const std::string& what) co
 }
 
 void GltfCheckContext::add_note(std::string text) const {
-  constexpr std::size_t kMaxNotes = 1000;  // a huge file may repeat one slip everywhere
   if (notes_.size() < kMaxNotes) notes_.push_back(std::move(text));
 }
 

@@ -24,6 +24,11 @@ enum ComponentType : int {
   kFloat = 5126,
 };
 
+struct BufferFacts {
+  long long length = 0;      // bytes
+  bool is_fallback = false;  // what it would hold is compressed in another one
+};
+
 struct ViewFacts {
   long long length = 0;             // bytes
   std::optional<long long> stride;  // bytes between elements, if said
@@ -68,6 +73,7 @@ class GltfCheckContext {
   bool uses(std::string_view extension) const;  // declared in extensionsUsed
 
   JsonCursor root;
+  std::vector<BufferFacts> buffers;      // filled by check_buffers()
   std::vector<ViewFacts> views;          // filled by check_buffer_views()
   std::vector<AccessorFacts> accessors;  // filled by check_accessors()
 
@@ -85,7 +91,7 @@ int component_count(std::string_view type);  // 0 for an unknown type
 // The parts, in the order in which they must run. Each throws SceneError.
 void check_asset(const GltfCheckContext& context);
 void check_extensions(const GltfCheckContext& context);
-void check_buffers(const GltfCheckContext& context, std::optional<std::size_t> binary_bytes);
+void check_buffers(GltfCheckContext& context, std::optional<std::size_t> binary_bytes);
 void check_buffer_views(GltfCheckContext& context);
 void check_meshopt(const GltfCheckContext& context, const JsonCursor& view, long long length);
 void check_accessors(GltfCheckContext& context);

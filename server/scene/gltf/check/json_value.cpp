@@ -165,11 +165,20 @@ std::vector<std::pair<std::string, JsonCursor>> JsonCursor::members() const {
   return all;
 }
 
-std::vector<JsonCursor> JsonCursor::items() const {
+std::size_t JsonCursor::size() const {
   if (value_->kind != JsonValue::Kind::Array)
     fail(std::string("expected an array, not ") + kind_name());
+  return value_->items.size();
+}
+
+std::optional<JsonCursor> JsonCursor::front() const {
+  if (size() == 0) return std::nullopt;
+  return JsonCursor(value_->items.front(), path_ + "[0]");
+}
+
+std::vector<JsonCursor> JsonCursor::items() const {
   std::vector<JsonCursor> all;
-  all.reserve(value_->items.size());
+  all.reserve(size());
   for (std::size_t i = 0; i < value_->items.size(); ++i) {
     all.push_back(JsonCursor(value_->items[i], path_ + "[" + std::to_string(i) + "]"));
   }

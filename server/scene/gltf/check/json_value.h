@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "scene/gltf/check/limits.h"
+
 namespace amalgam::scene {
 
 struct JsonMember;
@@ -28,9 +30,6 @@ struct JsonMember {
   std::string name;
   JsonValue value;
 };
-
-constexpr int kMaxJsonDepth = 64;
-constexpr std::size_t kMaxJsonValues = 4'000'000;
 
 // Throws SceneError (without a file name) for bad syntax, a name that occurs twice in an object, a
 // byte order mark, or more depth or values than the limits.
@@ -57,6 +56,8 @@ class JsonCursor {
 
   // Arrays.
   std::vector<JsonCursor> items() const;
+  std::size_t size() const;                 // of items(), without making them
+  std::optional<JsonCursor> front() const;  // nothing if it is empty
 
   // Scalars; bounds are inclusive.
   double number() const;

@@ -1,6 +1,7 @@
 #include <array>
 
 #include "scene/gltf/check/check_context.h"
+#include "scene/gltf/check/limits.h"
 #include "scene/gltf/check/texture_source.h"
 #include "scene/gltf/check/uri.h"
 
@@ -38,7 +39,6 @@ void check_factor(const GltfCheckContext& context, const JsonCursor& material,
 }
 
 void check_material_extensions(const GltfCheckContext& context, const JsonCursor& extensions) {
-  constexpr double kAnything = 1e30;
   if (const auto at = extensions.find("KHR_materials_transmission")) {
     check_factor(context, *at, "transmissionFactor", 0.0, 1.0);
     check_texture_info(context, *at, "transmissionTexture");
@@ -52,7 +52,7 @@ void check_material_extensions(const GltfCheckContext& context, const JsonCursor
     }
   }
   if (const auto at = extensions.find("KHR_materials_volume")) {
-    check_factor(context, *at, "thicknessFactor", 0.0, kAnything);
+    check_factor(context, *at, "thicknessFactor", 0.0, kMaxQuantity);
     check_texture_info(context, *at, "thicknessTexture");
     check_factors(context, *at, "attenuationColor", 3);
     if (const auto distance = at->find("attenuationDistance")) {
@@ -61,7 +61,7 @@ void check_material_extensions(const GltfCheckContext& context, const JsonCursor
     }
   }
   if (const auto at = extensions.find("KHR_materials_emissive_strength")) {
-    check_factor(context, *at, "emissiveStrength", 0.0, kAnything);
+    check_factor(context, *at, "emissiveStrength", 0.0, kMaxQuantity);
   }
 }
 
@@ -123,8 +123,12 @@ void check_materials(const GltfCheckContext& context) {
     for (const char* name : {"normalTexture", "occlusionTexture", "emissiveTexture"}) {
       check_texture_info(context, material, name);
     }
+    if (const auto normal = material.find("normalTexture")) {
+      const auto scale = normal->find("scale");
+      if (scale) scale->number(-kMaxNormalScale, kMaxNormalScale);
+    }
     // Older exporters wrote bright lamps so, before there was KHR_materials_emissive_strength.
-    check_factors(context, material, "emissiveFactor", 3, 1e30);
+    check_factors(context, material, "emissiveFactor", 3, kMaxQuantity);
     if (const auto emissive = material.find("emissiveFactor")) {
       for (const double factor : emissive->numbers(3)) {
         if (factor > 1.0) context.note(*emissive, "is above 1");
@@ -136,7 +140,7 @@ void check_materials(const GltfCheckContext& context) {
         mode->fail("'" + text + "' is none of OPAQUE, MASK, BLEND");
       }
     }
-    check_factor(context, material, "alphaCutoff", 0.0, 1e30);
+    check_factor(context, material, "alphaCutoff", 0.0, kMaxQuantity);
     if (const auto sided = material.find("doubleSided")) sided->boolean();
     if (const auto extensions = material.find("extensions")) {
       check_material_extensions(context, *extensions);

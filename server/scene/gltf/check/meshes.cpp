@@ -4,6 +4,7 @@
 #include <set>
 
 #include "scene/gltf/check/check_context.h"
+#include "scene/gltf/check/limits.h"
 
 namespace amalgam::scene {
 namespace {
@@ -75,6 +76,7 @@ class MeshChecker {
   void check_primitive(const JsonCursor& primitive) {
     const JsonCursor attributes = primitive.get("attributes");
     is_compressed_ = is_draco(primitive);
+    compressed_.clear();
     if (is_compressed_) check_draco(primitive);
     const long long vertices = check_attributes(attributes);
     if (const auto indices = primitive.find("indices")) check_indices(*indices);
@@ -85,7 +87,7 @@ class MeshChecker {
       context_.note_if_wrong("morph targets are not used", [&] {
         for (const JsonCursor& target : context_.listed(*targets)) {
           for (const auto& [name, at] : target.members()) {
-            if (vertex_accessor(at).count != vertices)
+            if (vertex_accessor(at, false).count != vertices)
               at.fail("has another count than the base attributes");
           }
         }
@@ -104,7 +106,7 @@ class MeshChecker {
         check_unread(name, at);
         continue;
       }
-      const AccessorFacts& accessor = vertex_accessor(at);
+      const AccessorFacts& accessor = vertex_accessor(at, compressed_.contains(name));
       if (vertices.value_or(accessor.count) != accessor.count) {
         at.fail("has another count than the primitive's other attributes");
       }
@@ -136,21 +138,33 @@ class MeshChecker {
     if (!name.starts_with('_') && !parse_semantic(name)) {
       context_.note(at, "is not an attribute (names of one's own begin with an underscore)");
     }
-    context_.note_if_wrong("not used", [&] { vertex_accessor(at); });
+    context_.note_if_wrong("not used", [&] { vertex_accessor(at, compressed_.contains(name)); });
   }
 
   void check_draco(const JsonCursor& primitive) {
     const JsonCursor draco = primitive.get("extensions").get("KHR_draco_mesh_compression");
-    context_.resolve(draco.get("bufferView"), "bufferViews");
-    for (const auto& [name, id] : draco.get("attributes").members()) id.integer(0, 65535);
+    const JsonCursor view_at = draco.get("bufferView");
+    draco_bytes_ += context_.views[context_.resolve(view_at, "bufferViews")].length;
+    if (draco_bytes_ > kMaxBufferBytes) {
+      view_at.fail("the compressed blocks of all primitives are larger than 512 MiB");
+    }
+    for (const auto& [name, id] : draco.get("attributes").members()) {
+      id.integer(0, 65535);
+      compressed_.insert(name);
+    }
   }
 
-  const AccessorFacts& vertex_accessor(const JsonCursor& at) {
+  // is_compressed: its data are in the primitive's Draco block.
+  const AccessorFacts& checked_accessor(const JsonCursor& at, bool is_compressed) {
     const AccessorFacts& accessor = context_.accessors[context_.resolve(at, "accessors")];
-    constexpr long long kMaxZeros = 1'000'000;
-    if (!accessor.view && !is_compressed_ && accessor.count > kMaxZeros) {
+    if (!accessor.view && !is_compressed && accessor.count > kMaxZeros) {
       at.fail("has more than a million elements and no data");
     }
+    return accessor;
+  }
+
+  const AccessorFacts& vertex_accessor(const JsonCursor& at, bool is_compressed) {
+    const AccessorFacts& accessor = checked_accessor(at, is_compressed);
     if (accessor.view) {
       const ViewFacts& view = context_.views[*accessor.view];
       const long long element = static_cast<long long>(component_bytes(accessor.component)) *
@@ -163,39 +177,38 @@ class MeshChecker {
   }
 
   void check_indices(const JsonCursor& at) {
-    const AccessorFacts& accessor = context_.accessors[context_.resolve(at, "accessors")];
+    const AccessorFacts& accessor = checked_accessor(at, is_compressed_);
     const bool is_unsigned = accessor.component == kUnsignedByte ||
                              accessor.component == kUnsignedShort ||
                              accessor.component == kUnsignedInt;
     if (accessor.type != "SCALAR" || !is_unsigned || accessor.normalized) {
       at.fail("indices are not unsigned integers");
     }
-    constexpr long long kMaxZeros = 1'000'000;
-    if (!accessor.view && !is_compressed_ && accessor.count > kMaxZeros) {
-      at.fail("has more than a million elements and no data");
-    }
     if (accessor.view && context_.views[*accessor.view].stride)
       context_.note(at, "indices cannot have a byteStride");
   }
 
   const GltfCheckContext& context_;
-  bool is_compressed_ = false;  // the primitive's data are in a Draco block
+  bool is_compressed_ = false;        // the primitive has a Draco block
+  std::set<std::string> compressed_;  // its attributes
+  long long draco_bytes_ = 0;         // of all primitives so far
 };
 
 std::size_t target_count(const JsonCursor& primitive) {
   const auto targets = primitive.find("targets");
-  return targets ? targets->items().size() : 0;
+  return targets ? targets->size() : 0;
 }
 
 void check_targets(const JsonCursor& mesh, const std::vector<JsonCursor>& primitives) {
+  const std::size_t expected = primitives.empty() ? 0 : target_count(primitives.front());
   for (const JsonCursor& primitive : primitives) {
-    if (target_count(primitive) != target_count(primitives.front())) {
+    if (target_count(primitive) != expected) {
       primitive.fail("has not as many morph targets as the mesh's first primitive");
     }
   }
   const auto weights = mesh.find("weights");
   if (!weights) return;
-  if (primitives.empty() || weights->items().size() != target_count(primitives.front())) {
+  if (primitives.empty() || weights->size() != expected) {
     weights->fail("has not as many numbers as there are morph targets");
   }
 }

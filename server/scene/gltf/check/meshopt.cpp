@@ -1,6 +1,7 @@
 #include <array>
 
 #include "scene/gltf/check/check_context.h"
+#include "scene/gltf/check/limits.h"
 
 // EXT_meshopt_compression: what libmeshoptimizer takes for granted.
 
@@ -21,10 +22,8 @@ void check_filter(const JsonCursor& at, const std::string& mode, long long strid
 }  // namespace
 
 void check_meshopt(const GltfCheckContext& context, const JsonCursor& at, long long length) {
-  constexpr long long kMaxBytes = 512LL << 20;
   const JsonCursor buffer_at = at.get("buffer");
-  const JsonCursor buffer = context.all("buffers")[context.resolve(buffer_at, "buffers")];
-  const long long available = buffer.get("byteLength").integer(0);
+  const long long available = context.buffers[context.resolve(buffer_at, "buffers")].length;
   const auto offset_at = at.find("byteOffset");
   const long long offset = offset_at ? offset_at->integer(0) : 0;
   const long long bytes = at.get("byteLength").integer(1);
@@ -32,7 +31,7 @@ void check_meshopt(const GltfCheckContext& context, const JsonCursor& at, long l
   const JsonCursor mode_at = at.get("mode");
   const std::string& mode = mode_at.string();
   const long long stride = at.get("byteStride").integer(2, 256);
-  const long long count = at.get("count").integer(1, kMaxBytes);
+  const long long count = at.get("count").integer(1, kMaxBufferBytes);
   const bool is_attributes = mode == "ATTRIBUTES", is_triangles = mode == "TRIANGLES";
   if (!is_attributes && !is_triangles && mode != "INDICES") mode_at.fail("is unknown");
   if (is_attributes ? stride % 4 != 0 : stride != 2 && stride != 4) {

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "scene/gltf/check/check_context.h"
+#include "scene/gltf/check/limits.h"
 
 // The hierarchy must be a forest: every node has one parent at most and no node is its own
 // ancestor.
@@ -29,8 +30,8 @@ std::vector<std::size_t> find_parents(const GltfCheckContext& context) {
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     std::size_t steps = 0;
     for (std::size_t at = i; at != kNone; at = parents[at]) {
-      constexpr std::size_t kMaxDepth = 1000;  // also bounds this walk
-      if (++steps > kMaxDepth) nodes[i].fail("is its own ancestor, or nested more than 1000 deep");
+      if (++steps > kMaxNodeDepth)
+        nodes[i].fail("is its own ancestor, or nested more than 1000 deep");
     }
   }
   return parents;
@@ -69,15 +70,14 @@ void check_deformation(const GltfCheckContext& context, const std::optional<Json
   if (skin) context.resolve(*skin, "skins");
   if (skin && !mesh) skin->fail("needs a mesh");
   if (weights && !mesh) weights->fail("needs a mesh");
-  if (!mesh) return;
+  if (!mesh || (!skin && !weights)) return;
   const JsonCursor& used = context.all("meshes")[context.resolve(*mesh, "meshes")];
-  const auto primitives = used.get("primitives").items();
-  if (primitives.empty()) return;
-  const JsonCursor& first = primitives.front();
-  if (skin && !first.get("attributes").find("JOINTS_0")) skin->fail("its mesh has no JOINTS_0");
+  const auto first = used.get("primitives").front();
+  if (!first) return;
+  if (skin && !first->get("attributes").find("JOINTS_0")) skin->fail("its mesh has no JOINTS_0");
   if (weights) {
-    const auto targets = first.find("targets");
-    if (weights->items().size() != (targets ? targets->items().size() : 0)) {
+    const auto targets = first->find("targets");
+    if (weights->size() != (targets ? targets->size() : 0)) {
       weights->fail("has not as many numbers as the mesh has morph targets");
     }
   }
@@ -88,6 +88,20 @@ void check_mesh_use(const GltfCheckContext& context, const JsonCursor& node) {
   if (mesh) context.resolve(*mesh, "meshes");
   context.note_if_wrong("skins and morph targets are not used",
                         [&] { check_deformation(context, mesh, skin, weights); });
+}
+
+// Every node draws all primitives of its mesh, so that a small file can ask for any number.
+void check_instances(const GltfCheckContext& context) {
+  std::vector<std::size_t> primitives;
+  for (const JsonCursor& mesh : context.all("meshes")) {
+    primitives.push_back(mesh.get("primitives").size());
+  }
+  std::size_t instances = 0;
+  for (const JsonCursor& node : context.all("nodes")) {
+    const auto mesh = node.find("mesh");
+    if (mesh) instances += primitives[context.resolve(*mesh, "meshes")];
+    if (instances > kMaxInstances) node.fail("the nodes draw more than a million primitives");
+  }
 }
 
 void check_scenes(const GltfCheckContext& context, const std::vector<std::size_t>& parents) {
@@ -122,6 +136,7 @@ void check_nodes(const GltfCheckContext& context) {
     check_transform(context, node);
     check_mesh_use(context, node);
   }
+  check_instances(context);
   check_scenes(context, parents);
 }
 
