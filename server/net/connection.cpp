@@ -195,9 +195,7 @@ void Connection::take(std::span<const std::byte> input, const Transport::Receive
 
 void Connection::send(const Envelope& message) {
   // A peer that does not read its answers loses some; the write time-out ends it if that goes on.
-  if (!slot_.put_control(message)) {
-    common::log_debug(conversation_.name() + ": an answer was dropped");
-  }
+  slot_.put_control(message) ? conversation_.said(message) : conversation_.not_said();
   write();
 }
 
@@ -230,7 +228,9 @@ void Connection::write() {
 
 // The pong will tell that the composite was read, wherever buffers are between us and the reader.
 void Connection::append_ping() {
-  writing_ += protocol::encode(ping_message(++pings_));
+  const Envelope ping = ping_message(++pings_);
+  conversation_.writing(ping);
+  writing_ += protocol::encode(ping);
   unread_.push_back({pings_, Clock::now()});
   deadlines_.unread_since(unread_.front().written);
 }

@@ -44,6 +44,7 @@ class Server::Impl {
       : config_(config),
         limits_(config.connections),
         admission_(config.admission),
+        recorder_(config.record),
         tls_(make_tls_context(config.tls)),
         admin_(io_, config.admin, config.connections.admin,
                {.not_alive = [this] { return not_alive(); },
@@ -76,7 +77,7 @@ class Server::Impl {
     if (web_) web_->listen();
     asio::post(io_, [this, &service] {
       if (phase_ != Phase::Loading) return;
-      context_.emplace(ServerContext{config_, service, metrics_, admission_, false});
+      context_.emplace(ServerContext{config_, service, metrics_, admission_, false, &recorder_});
       shared_.emplace(Connection::Shared{*context_, limits_, back_off_});
       listener_.start();
       if (web_) web_->start();
@@ -117,6 +118,7 @@ class Server::Impl {
     tls_ = std::move(tls);
     limits_.set_caps(config.connections);
     admission_.set_limits(config.admission);
+    recorder_.reloaded(config.record);
     admin_.set_max_connections(config.connections.admin);
   }
 
@@ -291,7 +293,8 @@ class Server::Impl {
             .unauthenticated = limits_.unauthenticated(),
             .session_memory = admission_.memory(),
             .load = load(),
-            .dropped_log_lines = common::dropped_log_lines()};
+            .dropped_log_lines = common::dropped_log_lines(),
+            .records = recorder_.report().counts};
   }
 
   std::string not_ready() const {
@@ -321,6 +324,7 @@ class Server::Impl {
     report.ray_tracer = config_.ray_tracer;
     report.uptime = std::chrono::duration_cast<std::chrono::seconds>(Clock::now() - started_);
     report.connections = limits_.total();
+    report.records = recorder_.report();
     for (const auto& [id, session] : sessions_) report.sessions.push_back(session->report());
     return state_json(report);
   }
@@ -331,6 +335,7 @@ class Server::Impl {
   ConnectionLimits limits_;
   BackOff back_off_;
   Admission admission_;
+  record::Recorder recorder_;
   std::shared_ptr<asio::ssl::context> tls_;
   std::optional<ServerContext> context_;
   std::optional<Connection::Shared> shared_;
