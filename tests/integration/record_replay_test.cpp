@@ -38,7 +38,8 @@ class Filmer {
     Envelope frame = next(false);
     protocol::MarkerCorners& corners = *frame.mutable_camera_frame()->add_corners();
     corners.set_marker(kMirrorWorldMarker);
-    for (const glm::dvec2& at : tracking::project_square(pose(), 0.05, camera_).value()) {
+    const auto projected = tracking::project_square(pose(), 0.05, camera_);
+    for (const glm::dvec2& at : projected.value()) {
       corners.add_pixels(static_cast<float>(at.x));
       corners.add_pixels(static_cast<float>(at.y));
     }
@@ -226,23 +227,14 @@ TEST_F(RecordReplay, AnotherSceneIsNoticed) {
 // A server that died in the middle of a frame: the frame is sent again, for it may do so again.
 TEST_F(RecordReplay, AFrameUnderWayWhenTheRecordBreaksOffIsPlayedToo) {
   const fs::path file = record_one();
-  std::string bytes = bytes_of_file(file);
-  std::size_t last_rendered = 0;
-  protocol::SessionRecordReader reader(file);
-  {
-    std::size_t at = 0;
-    const auto length_at = [&](std::size_t begin) {
-      return 4 + static_cast<std::size_t>(static_cast<unsigned char>(bytes[begin])) +
-             (static_cast<std::size_t>(static_cast<unsigned char>(bytes[begin + 1])) << 8) +
-             (static_cast<std::size_t>(static_cast<unsigned char>(bytes[begin + 2])) << 16);
-    };
-    at += length_at(0);  // the header
-    while (const auto record = reader.next()) {
-      if (record->has_rendered()) last_rendered = at;
-      at += length_at(at);
-    }
+  // Up to where the last frame was rendered, and a little of that.
+  std::uintmax_t size = fs::file_size(file);
+  const auto records = RecordFolder::read(file);
+  for (auto record = records.rbegin(); record != records.rend(); ++record) {
+    size -= protocol::encode(*record).size();
+    if (record->has_rendered()) break;
   }
-  std::ofstream(file, std::ios::binary) << bytes.substr(0, last_rendered + 10);
+  fs::resize_file(file, size + 10);
   RealServer server;
   const Outcome outcome = replay(server, file, true);
   EXPECT_TRUE(outcome.good);

@@ -1,6 +1,7 @@
 #include "client/tools/load/recorded_session.h"
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <stdexcept>
 #include <utility>
@@ -43,7 +44,8 @@ class Builder {
   void finish() {
     if (!session_.end.empty()) return;
     session_.end = "cut";
-    if (in_renderer_) session_.unfinished = {new_light_, frame_of_.at(*in_renderer_)};
+    if (in_renderer_)
+      session_.unfinished = RecordedSession::Turn{new_light_, frame_of_.at(*in_renderer_)};
   }
 
  private:
