@@ -60,9 +60,7 @@ void FastReplay::answered(std::uint64_t number) {
   if (turn_ == turns_.size()) return;
   const RecordedFrame& frame = session().frames[turns_[turn_].frame];
   if (number != frame.number) return;
-  for (const protocol::Pose& pose : frame.as_submitted().poses()) {
-    seen_[pose.marker()] = Clock::now();
-  }
+  for (const protocol::Pose& pose : frame.poses()) seen_[pose.marker()] = Clock::now();
   ++turn_;
   light_sent_ = false;
   next();

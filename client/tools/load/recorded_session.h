@@ -21,7 +21,11 @@ struct RecordedFrame {
   std::optional<protocol::SubmittedFrame> submitted;
   std::optional<protocol::RenderedFrame> rendered;  // none: a newer one took its place, or the end
 
-  // The frame as the renderer was given it: solved and held poses are poses like any other.
+  // What the renderer was given: solved and held ones are poses like any other.
+  const google::protobuf::RepeatedPtrField<protocol::Pose>& poses() const {
+    return submitted ? submitted->poses() : message.poses();
+  }
+  // The frame with those, and without corners.
   protocol::CameraFrame as_submitted() const;
   // The composite's JPEG; null if it got none.
   const std::string* jpeg() const;
