@@ -43,14 +43,14 @@ SizeLimits limits_of_client() {
           .composite = kMaxCompositeBytes};
 }
 
-std::string encode(const Envelope& envelope) {
-  const std::size_t length = envelope.ByteSizeLong();
+std::string encode(const google::protobuf::MessageLite& message) {
+  const std::size_t length = message.ByteSizeLong();
   std::string bytes;
   bytes.reserve(kLengthBytes + length);
   for (std::size_t i = 0; i < kLengthBytes; ++i) {
     bytes.push_back(static_cast<char>((length >> (8 * i)) & 0xff));
   }
-  envelope.AppendToString(&bytes);
+  message.AppendToString(&bytes);
   return bytes;
 }
 

@@ -27,8 +27,8 @@ SizeLimits limits_before_hello();
 SizeLimits limits_of_server();  // what a server accepts after the hello
 SizeLimits limits_of_client();
 
-// The length and the Envelope as bytes.
-std::string encode(const Envelope& envelope);
+// The length and the message as bytes: an Envelope, or what is framed in the same way.
+std::string encode(const google::protobuf::MessageLite& message);
 
 class Decoder {
  public:

@@ -85,6 +85,14 @@ inline constexpr std::size_t kMaxAdminConnections = 16;
 // Waiting answers to a peer that does not read; further ones are dropped.
 inline constexpr std::size_t kMaxQueuedControl = 32;
 
+// --- records of sessions, if the operator wants them ---
+inline constexpr std::uint64_t kMiB = 1024 * 1024;
+// Some minutes of 640 x 480 at 30 Hz, and what can be attached to a report.
+inline constexpr std::uint64_t kMaxSessionRecordBytes = 256 * kMiB;
+inline constexpr std::uint64_t kMaxRecordBytes = 4096 * kMiB;  // of all sessions
+// What waits for the disk. The largest composite fits in, and seconds of usual ones.
+inline constexpr std::size_t kMaxRecordQueueBytes = 64 * kMiB;
+
 // --- buffers ---
 inline constexpr std::size_t kReadBufferBytes = 64 * 1024;  // after the hello; before: 4 KiB
 // Unsent bytes that the kernel may buffer. More would be old frames that newest-wins cannot

@@ -135,6 +135,29 @@ void add_web_options(CLI::App& app, std::string& address, net::WebOptions& web) 
       ->type_name("ORIGIN");
 }
 
+// A size in MiB, as a number of bytes.
+void add_mebibytes(CLI::App& app, const std::string& name, std::uint64_t& bytes,
+                   const std::string& what) {
+  app.add_option_function<std::uint64_t>(
+         name, [&bytes](std::uint64_t size) { bytes = size * protocol::kMiB; }, what)
+      ->default_str(std::to_string(bytes / protocol::kMiB))
+      ->type_name("MIB")
+      ->check(CLI::Range(1, 1 << 20));
+}
+
+void add_record_options(CLI::App& app, record::RecordOptions& record) {
+  app.add_option("--record-sessions", record.folder,
+                 "folder for a record of each session, with all camera pictures and composites but "
+                 "without tokens, which amalgam-load --replay plays again. Without it nothing is "
+                 "recorded")
+      ->type_name("FOLDER")
+      ->check(CLI::ExistingDirectory.description(""));
+  add_mebibytes(app, "--record-session-size", record.session_bytes,
+                "of one record; a full one ends, and its session goes on");
+  add_mebibytes(app, "--record-total-size", record.total_bytes,
+                "of all records in the folder, earlier ones too");
+}
+
 bool is_loopback(const std::string& address) {
   return address.rfind("127.", 0) == 0 || address == "::1" || address.rfind("::ffff:127.", 0) == 0;
 }
@@ -198,6 +221,7 @@ std::optional<ServerOptions> parse_server_options(int argc, const char* const* a
       ->capture_default_str()
       ->check(CLI::IsMember({"text", "json"}));
   add_net_options(app, options.net);
+  add_record_options(app, options.net.record);
 
   if (!common::parse_command_line(app, argc, argv)) return std::nullopt;
   options.net.listen = common::parse_host_port(listen);

@@ -58,15 +58,30 @@ void Link::open(const common::HostPort& server, const protocol::Hello& hello,
 
 void Link::connect(const asio::ip::tcp::resolver::results_type& endpoints) {
   if (state_ != State::Connecting) return;
-  asio::async_connect(
-      stream_.socket(), endpoints, [self = shared_from_this()](const ErrorCode& ec, const auto&) {
-        if (ec) return self->fail(ec, "connect");
-        if (self->state_ != State::Connecting) return;
-        common::set_tcp_options(
-            self->stream_.socket().native_handle(),
-            {.user_timeout = protocol::kIdleTimeout, .unsent_bytes = protocol::kUnsentBytes});
-        self->tls_ ? self->secure() : self->say_hello();
-      });
+  auto done = [self = shared_from_this()](const ErrorCode& ec, const auto&...) {
+    self->on_connected(ec);
+  };
+  if (!source_) return asio::async_connect(stream_.socket(), endpoints, std::move(done));
+  // Trying one endpoint after the other would open the socket anew, and forget its address.
+  if (bind_source()) stream_.socket().async_connect(*endpoints.begin(), std::move(done));
+}
+
+bool Link::bind_source() {
+  const asio::ip::tcp::endpoint local(*source_, 0);
+  ErrorCode ec;
+  stream_.socket().open(local.protocol(), ec);
+  if (!ec) stream_.socket().bind(local, ec);
+  if (ec) fail(ec, "connect");
+  return !ec;
+}
+
+void Link::on_connected(const ErrorCode& ec) {
+  if (ec) return fail(ec, "connect");
+  if (state_ != State::Connecting) return;
+  common::set_tcp_options(
+      stream_.socket().native_handle(),
+      {.user_timeout = protocol::kIdleTimeout, .unsent_bytes = protocol::kUnsentBytes});
+  tls_ ? secure() : say_hello();
 }
 
 void Link::secure() {
@@ -91,18 +106,26 @@ void Link::say_hello() {
 void Link::read() {
   stream_.read_some(asio::buffer(read_buffer_),
                     [self = shared_from_this()](const ErrorCode& ec, std::size_t size) {
-                      if (self->state_ == State::Ended) return;
-                      // With TLS the server leaves out the farewell: messages have lengths.
-                      if (ec == asio::error::eof || ec == asio::ssl::error::stream_truncated) {
-                        return self->end(LinkEnd::Kind::Lost, "the server closed the connection");
-                      }
-                      if (ec) return self->fail(ec, "read");
-                      if (self->state_ == State::Running || self->state_ == State::Draining) {
-                        self->expect_within(protocol::kIdleTimeout, "the server has fallen silent");
-                      }
-                      self->take(std::span(self->read_buffer_).first(size));
-                      if (self->state_ != State::Ended) self->read();
+                      self->on_read(ec, size);
                     });
+}
+
+void Link::on_read(const ErrorCode& ec, std::size_t size) {
+  if (state_ == State::Ended) return;
+  // With TLS the server leaves out the farewell: messages have lengths.
+  if (ec == asio::error::eof || ec == asio::ssl::error::stream_truncated) {
+    return end(LinkEnd::Kind::Lost, "the server closed the connection");
+  }
+  if (ec) return fail(ec, "read");
+  bytes_received_ += size;
+  if (state_ == State::Running || state_ == State::Draining) expect_sign_of_life();
+  take(std::span(read_buffer_).first(size));
+  if (state_ != State::Ended && reads_) read();
+}
+
+void Link::stop_reading() {
+  reads_ = false;
+  timer_.cancel();
 }
 
 void Link::take(std::span<const std::byte> input) {
@@ -127,7 +150,7 @@ void Link::visit(Envelope& envelope) {
         return end(LinkEnd::Kind::Refused, "the server sent a second welcome");
       }
       state_ = State::Running;
-      expect_within(protocol::kIdleTimeout, "the server has fallen silent");
+      expect_sign_of_life();
       events_.welcomed(std::move(*envelope.mutable_welcome()));
       if (is_idle()) events_.idle();
       return;
@@ -143,12 +166,14 @@ void Link::visit(Envelope& envelope) {
     case Envelope::kError:
       return on_error(*envelope.mutable_error());
     case Envelope::kBusy:
-      return end(LinkEnd::Kind::Busy, "the server is busy: " + envelope.busy().reason(),
-                 std::chrono::milliseconds(envelope.busy().retry_after_ms()));
+      return end({.kind = LinkEnd::Kind::Busy,
+                  .text = "the server is busy: " + envelope.busy().reason(),
+                  .retry_after = std::chrono::milliseconds(envelope.busy().retry_after_ms()),
+                  .code = {}});
     case Envelope::kDraining:
       // It answers what it has and closes then; frames sent from now on would be thrown away.
       if (state_ == State::Running) state_ = State::Draining;
-      return;
+      return events_.draining();
     case Envelope::kHello:
     case Envelope::kCameraFrame:
     case Envelope::kEnvironment:
@@ -162,7 +187,10 @@ void Link::on_error(Error& error) {
   if (!error.closes()) return events_.error(std::move(error));
   const std::string text = "the server refused: " + Error::Code_Name(error.code()) +
                            (error.text().empty() ? "" : ": " + error.text());
-  end(is_final(error.code()) ? LinkEnd::Kind::Refused : LinkEnd::Kind::Lost, text);
+  end({.kind = is_final(error.code()) ? LinkEnd::Kind::Refused : LinkEnd::Kind::Lost,
+       .text = text,
+       .retry_after = {},
+       .code = error.code()});
 }
 
 // --- writing ---
@@ -184,9 +212,10 @@ void Link::send_control(const Envelope& envelope) {
 void Link::write(std::string bytes) {
   writing_ = std::move(bytes);
   stream_.write(asio::buffer(writing_),
-                [self = shared_from_this()](const ErrorCode& ec, std::size_t) {
+                [self = shared_from_this()](const ErrorCode& ec, std::size_t size) {
                   if (self->state_ == State::Ended) return;
                   if (ec) return self->fail(ec, "write");
+                  self->bytes_sent_ += size;
                   self->writing_.clear();
                   self->write_next();
                 });
@@ -212,6 +241,10 @@ void Link::expect_within(std::chrono::milliseconds time, std::string what) {
   });
 }
 
+void Link::expect_sign_of_life() {
+  if (reads_) expect_within(protocol::kIdleTimeout, "the server has fallen silent");
+}
+
 void Link::close() {
   if (state_ == State::Ended || state_ == State::Closing) return;
   if (state_ == State::Connecting) return end(LinkEnd::Kind::Closed, {});
@@ -226,14 +259,14 @@ void Link::fail(const ErrorCode& ec, const char* what) {
   end(LinkEnd::Kind::Lost, std::string(what) + ": " + ec.message());
 }
 
-void Link::end(LinkEnd::Kind kind, std::string text, std::chrono::milliseconds retry_after) {
+void Link::end(LinkEnd end) {
   const State before = std::exchange(state_, State::Ended);
   if (before == State::Ended) return;
   resolver_.cancel();
   stream_.close();
   timer_.cancel();
-  if (before == State::Closing) kind = LinkEnd::Kind::Closed;
-  events_.ended({kind, std::move(text), retry_after});
+  if (before == State::Closing) end.kind = LinkEnd::Kind::Closed;
+  events_.ended(end);
 }
 
 }  // namespace amalgam::client

@@ -1,15 +1,17 @@
 // One TCP connection to a server, from connecting to its end. Connection handles reconnecting.
 //
-// Used only on the thread that runs its io_context. Answers pings itself. Network loss is a normal
-// end: every end calls Events::ended exactly once.
+// Used only on the thread that runs its io_context, which may run any number of links. Answers
+// pings itself. Network loss is a normal end: every end calls Events::ended exactly once.
 #pragma once
 
+#include <boost/asio/ip/address.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <chrono>
 #include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +32,7 @@ struct LinkEnd {
   Kind kind = Kind::Lost;
   std::string text;
   std::chrono::milliseconds retry_after{0};
+  std::optional<protocol::Error::Code> code{};  // of the server's Error, if that was the end
 };
 
 class Link : public std::enable_shared_from_this<Link> {
@@ -40,10 +43,15 @@ class Link : public std::enable_shared_from_this<Link> {
     std::function<void(protocol::Error)> error;  // errors that the session survives
     std::function<void()> idle;                  // no write in flight: ready for a frame
     std::function<void(LinkEnd)> ended;
+    // The server will answer what it has and close.
+    std::function<void()> draining = [] {};
   };
 
   // tls: null for a server that does not encrypt.
   Link(boost::asio::io_context& io, protocol::Stream::Tls tls, Events events);
+
+  // The machine's own address to connect from; without it the system chooses. Before open().
+  void come_from(const boost::asio::ip::address& source) { source_ = source; }
 
   // Connects, says hello and waits for the welcome, all within the time-out.
   void open(const common::HostPort& server, const protocol::Hello& hello,
@@ -52,11 +60,19 @@ class Link : public std::enable_shared_from_this<Link> {
   // True if a frame may be written now: welcomed, not draining, no write in flight.
   bool is_idle() const { return state_ == State::Running && writing_.empty(); }
   void write_frame(std::string bytes);
-  // An encoded Envelope to be sent before any frame.
+  // Bytes to be sent before any frame; an encoded Envelope, from clients that behave.
   void write_first(std::string bytes);
 
   // Says goodbye and waits a little for the server to close.
   void close();
+  // Ends at once, without a goodbye.
+  void cut() { end(LinkEnd::Kind::Closed, {}); }
+  // Reads nothing more, and waits for nothing: as a client that hangs.
+  void stop_reading();
+
+  // So far.
+  std::uint64_t bytes_sent() const { return bytes_sent_; }
+  std::uint64_t bytes_received() const { return bytes_received_; }
 
  private:
   using ErrorCode = boost::system::error_code;
@@ -65,16 +81,23 @@ class Link : public std::enable_shared_from_this<Link> {
   void secure();
   void say_hello();
   void connect(const boost::asio::ip::tcp::resolver::results_type& endpoints);
+  bool bind_source();
+  void on_connected(const ErrorCode& ec);
   void read();
+  void on_read(const ErrorCode& ec, std::size_t size);
   void take(std::span<const std::byte> input);
   void visit(protocol::Envelope& envelope);
   void on_error(protocol::Error& error);
   void send_control(const protocol::Envelope& envelope);
   void write(std::string bytes);
   void write_next();
+  void expect_sign_of_life();
   void expect_within(std::chrono::milliseconds time, std::string what);
   void fail(const ErrorCode& ec, const char* what);
-  void end(LinkEnd::Kind kind, std::string text, std::chrono::milliseconds retry_after = {});
+  void end(LinkEnd end);
+  void end(LinkEnd::Kind kind, std::string text) {
+    end({.kind = kind, .text = std::move(text), .retry_after = {}, .code = {}});
+  }
 
   boost::asio::ip::tcp::resolver resolver_;
   protocol::Stream::Tls tls_;
@@ -87,6 +110,9 @@ class Link : public std::enable_shared_from_this<Link> {
   protocol::Decoder decoder_;
   std::deque<std::string> control_;  // sent before frames
   std::string writing_;              // the one write in flight
+  std::optional<boost::asio::ip::address> source_;
+  bool reads_ = true;
+  std::uint64_t bytes_sent_ = 0, bytes_received_ = 0;
 };
 
 }  // namespace amalgam::client

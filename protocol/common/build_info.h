@@ -12,6 +12,10 @@ const char* version();
 // other processors.
 const char* instruction_set();
 
+// The linker's hash of this program's code and data (its build id), in hexadecimal digits: equal
+// for equal programs. Empty if the linker gave none.
+std::string build_id();
+
 // For --version: "amalgam-server 0.1.0, compiled for x86-64".
 std::string version_line(const std::string& program);
 

@@ -194,6 +194,17 @@ class FrameService {
   };
   virtual MarkerSet markers() const = 0;
 
+  // What decides a composite's bytes besides what its client sends, as texts for people. Where all
+  // are equal, so are the bytes, unless the options have a target frame rate.
+  struct Fingerprint {
+    std::string scene;       // its file's name
+    std::string scene_hash;  // SHA-256 of its files
+    std::string options;     // the renderer's that differ from the defaults
+    std::string hardware;    // what OpenGL and the ray tracer run on
+    bool operator==(const Fingerprint&) const = default;
+  };
+  virtual Fingerprint fingerprint() const { return {}; }
+
   virtual ServiceLoad load() const { return {}; }
 };
 

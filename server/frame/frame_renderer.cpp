@@ -142,6 +142,11 @@ class FrameRenderer::Impl {
     if (raster_) raster_->context.make_current();
   }
 
+  std::string hardware() const {
+    const std::string drawing = raster_ ? raster_->context.renderer() + "; " : "";
+    return drawing + ray_tracer_version();
+  }
+
   const scene::Scene& scene() const { return scene_; }
   const std::string& last_graph() const { return last_graph_; }
 
@@ -325,6 +330,9 @@ void FrameRenderer::make_current() {
   impl_->make_current();
 }
 
+std::string FrameRenderer::hardware() const {
+  return impl_->hardware();
+}
 const scene::Scene& FrameRenderer::scene() const {
   return impl_->scene();
 }

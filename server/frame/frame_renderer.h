@@ -32,6 +32,9 @@ class FrameRenderer {
   // After another renderer was made on this thread: this one's OpenGL context is used again.
   void make_current();
 
+  // What it draws and traces with, for people.
+  std::string hardware() const;
+
   // Without its environment, which is kept apart.
   const scene::Scene& scene() const;
   // The last frame's graph in Graphviz's language.

@@ -141,6 +141,11 @@ FrameService::MarkerSet RenderThread::markers() const {
   return markers_;
 }
 
+FrameService::Fingerprint RenderThread::fingerprint() const {
+  const std::lock_guard lock(mutex_);
+  return fingerprint_;
+}
+
 ServiceLoad RenderThread::load() const {
   const auto milliseconds_since = [now = Clock::now()](Clock::time_point time) {
     return std::chrono::duration_cast<std::chrono::milliseconds>(now - time);
@@ -224,11 +229,13 @@ void RenderThread::apply_renderer() {
 
 void RenderThread::adopt(std::unique_ptr<ViewRenderer> renderer) {
   MarkerSet markers = renderer->markers();
+  Fingerprint fingerprint = renderer->fingerprint();
   Views views;
   {
     const std::lock_guard lock(mutex_);
     views = views_;
     markers_ = std::move(markers);
+    fingerprint_ = std::move(fingerprint);
     turns_.assume_seconds_per_pixel(renderer->seconds_per_pixel());
   }
   if (renderer_) renderer_->stay();  // while what it made is freed

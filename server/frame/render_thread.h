@@ -46,6 +46,7 @@ class RenderThread : public FrameService {
   void set_environment(EnvironmentInput input, Done done) override;
   std::uint64_t memory_of(const EnvironmentInput& input) const override;
   MarkerSet markers() const override;
+  Fingerprint fingerprint() const override;
   ServiceLoad load() const override;
 
   // Between two frames the renderer is replaced by another, for all views. If that cannot be made
@@ -82,12 +83,13 @@ class RenderThread : public FrameService {
 
   mutable std::mutex mutex_;
   std::condition_variable_any work_;
-  Views views_;             // under mutex_
-  Turns turns_;             // under mutex_
-  MarkerSet markers_;       // under mutex_
-  ViewId last_id_ = 0;      // under mutex_
-  ViewId serving_ = 0;      // under mutex_; 0: none
-  bool has_other_ = false;  // under mutex_: an environment or a renderer waits
+  Views views_;              // under mutex_
+  Turns turns_;              // under mutex_
+  MarkerSet markers_;        // under mutex_
+  Fingerprint fingerprint_;  // under mutex_
+  ViewId last_id_ = 0;       // under mutex_
+  ViewId serving_ = 0;       // under mutex_; 0: none
+  bool has_other_ = false;   // under mutex_: an environment or a renderer waits
   common::Mailbox<NewEnvironment> environment_;
   common::Mailbox<NewRenderer> renderer_to_be_;
 

@@ -7,6 +7,7 @@
 #include "core/timings.h"
 #include "frame/default_view.h"
 #include "frame/environment_input.h"
+#include "frame/fingerprint.h"
 #include "frame/frame_renderer.h"
 #include "frame/view_state.h"
 #include "scene/gltf/loader.h"
@@ -31,7 +32,8 @@ void check_size(const FrameInput& input, const common::CameraModel& camera) {
 class SceneRenderer : public ViewRenderer {
  public:
   SceneRenderer(scene::Scene scene, const RendererSettings& settings)
-      : renderer_(std::move(scene), settings) {
+      : fingerprint_(fingerprint_of(scene.path, settings)), renderer_(std::move(scene), settings) {
+    fingerprint_.hardware = renderer_.hardware();
     for (const std::string& warning : renderer_.scene().warnings) common::log_warn(warning);
     // The first frame compiles shaders and draws shadow maps, for which the first client would wait
     // seconds. The second one tells what a frame costs.
@@ -67,6 +69,7 @@ class SceneRenderer : public ViewRenderer {
             .ids = scene::marker_ids(scene)};
   }
 
+  FrameService::Fingerprint fingerprint() const override { return fingerprint_; }
   void stay() override { renderer_.make_current(); }
   double seconds_per_pixel() const override { return seconds_per_pixel_; }
 
@@ -85,6 +88,7 @@ class SceneRenderer : public ViewRenderer {
     renderer_.render(view, {grey, {default_pose(renderer_.scene().world.marker)}});
   }
 
+  FrameService::Fingerprint fingerprint_;
   FrameRenderer renderer_;
   double seconds_per_pixel_ = 0.0;
 };

@@ -28,6 +28,7 @@ class ViewRenderer {
   // For one view.
   virtual void set_own_environment(State& view, const EnvironmentInput& input) = 0;
   virtual FrameService::MarkerSet markers() const = 0;
+  virtual FrameService::Fingerprint fingerprint() const { return {}; }
   // Another renderer was made on this thread, but this one goes on.
   virtual void stay() {}
   // Of a frame, measured when it was made; 0: not known.

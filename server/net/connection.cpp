@@ -186,9 +186,7 @@ void Connection::take(std::span<const std::byte> input, const Transport::Receive
 
 void Connection::send(const Envelope& message) {
   // A peer that does not read its answers loses some; the write time-out ends it if that goes on.
-  if (!slot_.put_control(message)) {
-    common::log_debug(conversation_.name() + ": an answer was dropped");
-  }
+  slot_.put_control(message) ? conversation_.said(message) : conversation_.not_said();
   write();
 }
 
@@ -220,7 +218,9 @@ void Connection::write() {
 }
 
 void Connection::append_ping() {
-  writing_ += protocol::encode(ping_message(pings_.after_composite(Clock::now())));
+  const Envelope ping = ping_message(pings_.after_composite(Clock::now()));
+  conversation_.writing(ping);
+  writing_ += protocol::encode(ping);
   deadlines_.unread_since(pings_.unread_since());
 }
 

@@ -21,11 +21,13 @@ Conversation::Conversation(std::uint64_t id, std::string peer, Line& line, Serve
       own_light_(context.admission),
       environment_rate_(protocol::kEnvironmentBurst,
                         context.config.session.environments_per_second),
-      ledger_(context.metrics) {}
+      ledger_(context.metrics),
+      recording_(context.recorder) {}
 
 // --- what the client says ---
 
 void Conversation::visit(const Envelope& envelope) {
+  recording_.received(envelope);
   const Envelope::BodyCase body = envelope.body_case();
   const bool may_come_first = body == Envelope::kHello || body == Envelope::BODY_NOT_SET;
   if (state_ == State::AwaitingHello && !may_come_first) {
@@ -76,7 +78,10 @@ void Conversation::on_hello(const protocol::Hello& hello) {
   state_ = State::Running;  // from here on leave() gives back what was taken
   view_ = context_.service.open_view(options, posting(&Conversation::on_rendered));
   context_.metrics.session_opened();
-  line_.send(welcome_message(id_, context_.config.session, context_.service.markers()));
+  const protocol::Fingerprint fingerprint = fingerprint_message(context_.service.fingerprint());
+  recording_.begin(id_, hello, fingerprint);
+  line_.send(
+      welcome_message(id_, context_.config.session, context_.service.markers(), fingerprint));
   line_.welcomed();
   common::log_info(common::LogKind::Session, name() + ": " + std::to_string(camera_.width) + " x " +
                                                  std::to_string(camera_.height));
@@ -87,6 +92,7 @@ void Conversation::refuse_poses(std::uint64_t frame_id, std::size_t message_byte
     throw ClientError(Error::UNEXPECTED_MESSAGE, "a message before the hello");
   }
   ledger_.receive(message_bytes);
+  recording_.received_refused_frame();
   if (state_ == State::Draining) return ledger_.skip(Skip::Draining);
   ledger_.skip(Skip::Refused);
   throw ClientError(
@@ -106,6 +112,7 @@ void Conversation::on_camera_frame(const protocol::CameraFrame& frame) {
   entry.capture_time_us = capture.time_us;
   entry.poses = usable_poses(frame, entry);
 
+  recording_.submitted(entry.ticket, entry.poses);
   const bool replaced = context_.service.submit(
       *view_, entry.ticket, {.image = bytes_from(frame.jpeg()), .poses = entry.poses});
   ledger_.submit(std::move(entry), replaced);
@@ -147,6 +154,7 @@ void Conversation::on_environment(const protocol::Environment& environment) {
   check_environment_right(environment.own());
   frame::EnvironmentInput input = environment_from(environment);
   if (environment.own()) input.only_for = view_;
+  recording_.environment_accepted();
   EnvironmentSlot::Offered offered = environments_.offer(std::move(input));
   apply(std::move(offered.now));
   if (offered.replaced) {
@@ -175,6 +183,7 @@ void Conversation::apply(std::optional<frame::EnvironmentInput> environment) {
   if (environment->only_for && !own_light_.begin(context_.service.memory_of(*environment))) {
     context_.metrics.environment(EnvironmentFate::NoMemory);
     answer(ClientError(Error::BAD_ENVIRONMENT, "no memory for this environment"));
+    recording_.environment_done(false);
     return apply(environments_.done());
   }
   context_.service.set_environment(std::move(*environment),
@@ -200,24 +209,29 @@ void Conversation::on_rendered(std::uint64_t ticket, frame::FrameResult result) 
     return send_composite(std::move(*frame), std::move(*output));
   }
   ledger_.skip(Skip::Refused);
-  fail(std::get<frame::FrameFailure>(result), frame->frame_id);
+  const ClientError error = told_of(std::get<frame::FrameFailure>(result), frame->frame_id);
+  recording_.failed(ticket, error_message(error).error());
+  answer(error);
 }
 
-void Conversation::fail(const frame::FrameFailure& failure, std::uint64_t frame_id) {
+ClientError Conversation::told_of(const frame::FrameFailure& failure,
+                                  std::uint64_t frame_id) const {
   switch (failure.kind) {
     case frame::FrameFailure::Kind::BadImage:
-      return answer(ClientError(Error::BAD_IMAGE, failure.what, frame_id));
+      return {Error::BAD_IMAGE, failure.what, frame_id};
     case frame::FrameFailure::Kind::Internal:
       // What went wrong inside is the operator's to read, not a stranger's.
       common::log_error(common::LogKind::Frame,
                         name() + ": frame " + std::to_string(frame_id) + ": " + failure.what);
-      return answer(ClientError(Error::INTERNAL, "the frame could not be rendered", frame_id));
+      break;
   }
+  return {Error::INTERNAL, "the frame could not be rendered", frame_id};
 }
 
 void Conversation::on_environment_applied(std::optional<std::string> error) {
   if (state_ == State::Over) return;
   own_light_.end(!error);
+  recording_.environment_done(!error);
   context_.metrics.environment(error ? EnvironmentFate::Unusable : EnvironmentFate::Applied);
   if (error) answer(ClientError(Error::BAD_ENVIRONMENT, *error));
   apply(environments_.done());
@@ -226,9 +240,21 @@ void Conversation::on_environment_applied(std::optional<std::string> error) {
 void Conversation::send_composite(FrameLedger::Entry frame, frame::FrameOutput output) {
   const std::chrono::duration<double, std::milli> server_time = Clock::now() - frame.arrival;
   context_.metrics.frame_rendered(output, server_time.count());
-  const bool replaced =
-      line_.send_answer({std::move(frame), std::move(output), server_time.count()});
-  if (replaced) ledger_.skip(Skip::ReplacedBeforeWrite);
+  Answer answer{std::move(frame), std::move(output), server_time.count()};
+  if (recording_.is_on()) {
+    protocol::Envelope message = composite_message(answer, skipped());
+    recording_.rendered(answer.frame.ticket, std::move(*message.mutable_composite()));
+  }
+  if (line_.send_answer(std::move(answer))) ledger_.skip(Skip::ReplacedBeforeWrite);
+}
+
+void Conversation::writing(const Envelope& ping) {
+  recording_.written();
+  recording_.sent(ping);
+}
+
+void Conversation::not_said() const {
+  common::log_debug(name() + ": an answer was dropped");
 }
 
 // --- errors and ends ---
@@ -250,6 +276,7 @@ void Conversation::drain(std::chrono::milliseconds deadline) {
 
 void Conversation::leave() {
   const State before = std::exchange(state_, State::Over);
+  recording_.end(record::Fate::Closed);
   if (before == State::Running || before == State::Draining) context_.admission.leave(camera_);
   if (!view_) return;
   context_.service.close_view(*std::exchange(view_, std::nullopt));
@@ -275,6 +302,8 @@ SessionReport Conversation::report() const {
   report.skipped = ledger_.skipped_count();
   report.in_flight = ledger_.in_flight();
   report.own_environment = own_light_.exists();
+  report.record = record::to_string(recording_.fate());
+  report.record_bytes = recording_.bytes();
   return report;
 }
 

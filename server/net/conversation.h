@@ -24,6 +24,8 @@
 #include "net/pose_hold.h"
 #include "net/server_config.h"
 #include "net/session_report.h"
+#include "record/recorder.h"
+#include "record/session_recording.h"
 
 namespace amalgam::net {
 
@@ -33,7 +35,8 @@ struct ServerContext {
   frame::FrameService& service;
   Metrics& metrics;
   Admission& admission;
-  bool large_messages = false;  // some came, and may have left memory in the allocator
+  bool large_messages = false;           // some came, and may have left memory in the allocator
+  record::Recorder* recorder = nullptr;  // null: no session is recorded
 };
 
 // What a conversation needs of the connection that carries it.
@@ -80,7 +83,12 @@ class Conversation {
   // Gives the view back; frames in flight are never answered.
   void leave();
 
-  // What became of an Answer.
+  // A message was put behind those that wait to be written, or dropped because they are too many.
+  void said(const protocol::Envelope& message) { recording_.sent(message); }
+  void not_said() const;
+
+  // What became of an Answer: its writing begins, with a ping behind it.
+  void writing(const protocol::Envelope& ping);
   void written(std::size_t message_bytes) { ledger_.sent(message_bytes); }
   void dropped() { ledger_.skip(Skip::Closed); }
 
@@ -107,7 +115,7 @@ class Conversation {
   void on_environment_applied(std::optional<std::string> error);
   void on_rendered(std::uint64_t ticket, frame::FrameResult result);
   void send_composite(FrameLedger::Entry frame, frame::FrameOutput output);
-  void fail(const frame::FrameFailure& failure, std::uint64_t frame_id);
+  ClientError told_of(const frame::FrameFailure& failure, std::uint64_t frame_id) const;
 
   std::uint64_t id_;
   std::string peer_;
@@ -125,6 +133,7 @@ class Conversation {
   OwnLight own_light_;
   common::RateLimit environment_rate_;
   FrameLedger ledger_;
+  record::SessionRecording recording_;
 };
 
 }  // namespace amalgam::net

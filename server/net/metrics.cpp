@@ -124,6 +124,13 @@ struct Metrics::Families {
   Gauge& descriptors = gauge("process_open_fds", "Open descriptors");
   Counter& dropped_lines =
       counter("amalgam_log_lines_dropped_total", "Log lines that nobody read in time").Add({});
+  Counter& record_bytes =
+      counter("amalgam_record_bytes_total", "Bytes written to records of sessions").Add({});
+  Family<Counter>& records = counter("amalgam_records_ended_total",
+                                     "Records of sessions that ended before them, by reason");
+  Counter& full_records = records.Add({{"reason", "full"}});
+  Counter& slow_records = records.Add({{"reason", "too_slow"}});
+  Counter& failed_records = records.Add({{"reason", "failed"}});
   Family<Counter>& environments =
       counter("amalgam_environments_total", "Environments sent by clients, by what became of them");
   Family<Counter>& reloads =
@@ -262,6 +269,10 @@ std::string Metrics::text(const Gauges& gauges) {
   families_->without_progress.Set(seconds(gauges.load.without_progress));
   families_->session_memory.Set(static_cast<double>(gauges.session_memory));
   rise_to(families_->dropped_lines, static_cast<double>(gauges.dropped_log_lines));
+  rise_to(families_->record_bytes, static_cast<double>(gauges.records.bytes));
+  rise_to(families_->full_records, static_cast<double>(gauges.records.full));
+  rise_to(families_->slow_records, static_cast<double>(gauges.records.too_slow));
+  rise_to(families_->failed_records, static_cast<double>(gauges.records.failed));
   const ProcessFigures process = read_process_figures();
   rise_to(families_->cpu, process.cpu_seconds);
   families_->memory.Set(static_cast<double>(process.resident_bytes));

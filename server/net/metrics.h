@@ -7,6 +7,7 @@
 
 #include "frame/frame.h"
 #include "protocol/amalgam.pb.h"
+#include "record/record_writer.h"
 
 namespace amalgam::net {
 
@@ -28,6 +29,7 @@ struct Gauges {
   std::uint64_t session_memory = 0;  // bytes promised to sessions
   frame::ServiceLoad load;
   std::uint64_t dropped_log_lines = 0;
+  record::WriterCounts records;
 };
 
 class Metrics {

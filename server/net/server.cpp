@@ -42,6 +42,7 @@ class Server::Impl {
       : config_(config),
         limits_(config.connections),
         admission_(config.admission),
+        recorder_(config.record),
         tls_(make_tls_context(config.tls)),
         admin_(io_, config.admin, config.connections.admin,
                {.not_alive = [this] { return status_.not_alive(); },
@@ -77,7 +78,7 @@ class Server::Impl {
     asio::post(io_, [this, &service] {
       if (phase_ != Phase::Loading) return;
       status_.set_service(service);
-      context_.emplace(ServerContext{config_, service, metrics_, admission_, false});
+      context_.emplace(ServerContext{config_, service, metrics_, admission_, false, &recorder_});
       shared_.emplace(Connection::Shared{*context_, limits_, back_off_});
       listener_.start();
       if (web_) web_->start();
@@ -118,6 +119,7 @@ class Server::Impl {
     tls_ = std::move(tls);
     limits_.set_caps(config.connections);
     admission_.set_limits(config.admission);
+    recorder_.reloaded(config.record);
     admin_.set_max_connections(config.connections.admin);
   }
 
@@ -278,7 +280,8 @@ class Server::Impl {
   ConnectionLimits limits_;
   BackOff back_off_;
   Admission admission_;
-  Status status_{config_, limits_, admission_};
+  record::Recorder recorder_;
+  Status status_{config_, limits_, admission_, recorder_};
   std::shared_ptr<asio::ssl::context> tls_;
   std::optional<ServerContext> context_;
   std::optional<Connection::Shared> shared_;

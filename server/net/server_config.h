@@ -13,6 +13,7 @@
 #include "common/host_port.h"
 #include "net/access.h"
 #include "protocol/limits.h"
+#include "record/record_options.h"
 #include "web/web_files.h"
 
 namespace amalgam::net {
@@ -71,6 +72,7 @@ struct ServerConfig {
   SessionLimits session;
   ConnectionCaps connections;
   AdmissionLimits admission;
+  record::RecordOptions record;
   // From SIGTERM until Draining, so that a load balancer notices before sessions look for another
   // server. New ones are still served.
   std::chrono::milliseconds drain_delay{0};

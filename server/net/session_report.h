@@ -16,6 +16,8 @@ struct SessionReport {
   std::uint64_t received = 0, sent = 0, skipped = 0;
   std::size_t in_flight = 0;
   bool own_environment = false;
+  std::string record;              // what became of its record (record/track.h)
+  std::uint64_t record_bytes = 0;  // written
 };
 
 }  // namespace amalgam::net

@@ -44,6 +44,20 @@ std::string session_text(const SessionReport& session) {
   object.add("frames_skipped", session.skipped);
   object.add("frames_in_flight", session.in_flight);
   object.add("own_environment", session.own_environment);
+  object.add("record", session.record);
+  object.add("record_bytes", session.record_bytes);
+  return object.end();
+}
+
+std::string records_text(const record::RecorderReport& records) {
+  ObjectText object;
+  object.add("folder", records.folder);
+  object.add("bytes_written", records.counts.bytes);
+  object.add("begun", records.counts.begun);
+  object.add("open", records.counts.begun - records.counts.ended);
+  object.add("full", records.counts.full);
+  object.add("too_slow", records.counts.too_slow);
+  object.add("failed", records.counts.failed);
   return object.end();
 }
 
@@ -62,6 +76,7 @@ std::string state_json(const ServerReport& report) {
   state.add("instruction_set", std::string(common::instruction_set()));
   state.add("ray_tracer", report.ray_tracer);
   state.add("connections", report.connections);
+  state.add_raw("records", records_text(report.records));
   state.add_raw("sessions", "[" + sessions + "]");
   return state.end();
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "net/session_report.h"
+#include "record/recorder.h"
 
 namespace amalgam::net {
 
@@ -14,6 +15,7 @@ struct ServerReport {
   std::string ray_tracer;  // its version
   std::chrono::seconds uptime{0};
   std::size_t connections = 0;
+  record::RecorderReport records;
   std::vector<SessionReport> sessions;
 };
 

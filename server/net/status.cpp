@@ -53,7 +53,8 @@ Gauges Status::gauges() const {
           .unauthenticated = limits_.unauthenticated(),
           .session_memory = admission_.memory(),
           .load = load(),
-          .dropped_log_lines = common::dropped_log_lines()};
+          .dropped_log_lines = common::dropped_log_lines(),
+          .records = recorder_.report().counts};
 }
 
 std::string Status::state(Phase phase, std::vector<SessionReport> sessions) const {
@@ -62,6 +63,7 @@ std::string Status::state(Phase phase, std::vector<SessionReport> sessions) cons
   report.ray_tracer = config_.ray_tracer;
   report.uptime = std::chrono::duration_cast<std::chrono::seconds>(Clock::now() - started_);
   report.connections = limits_.total();
+  report.records = recorder_.report();
   report.sessions = std::move(sessions);
   return state_json(report);
 }

@@ -12,6 +12,7 @@
 #include "net/metrics.h"
 #include "net/server_config.h"
 #include "net/session_report.h"
+#include "record/recorder.h"
 
 namespace amalgam::net {
 
@@ -21,8 +22,9 @@ enum class Phase { Loading, Serving, Leaving, Draining, Finished };
 class Status {
  public:
   // All outlive this.
-  Status(const ServerConfig& config, const ConnectionLimits& limits, const Admission& admission)
-      : config_(config), limits_(limits), admission_(admission) {}
+  Status(const ServerConfig& config, const ConnectionLimits& limits, const Admission& admission,
+         const record::Recorder& recorder)
+      : config_(config), limits_(limits), admission_(admission), recorder_(recorder) {}
 
   // Before there is one, the renderer's load is none.
   void set_service(const frame::FrameService& service) { service_ = &service; }
@@ -44,6 +46,7 @@ class Status {
   const ServerConfig& config_;
   const ConnectionLimits& limits_;
   const Admission& admission_;
+  const record::Recorder& recorder_;
   const frame::FrameService* service_ = nullptr;
   Clock::time_point started_ = Clock::now();
 };

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/hex_text.h"
 #include "web/content_type.h"
 
 namespace amalgam::net {
@@ -59,21 +60,11 @@ std::vector<std::string> names_of(std::string_view path) {
   return names;
 }
 
-std::string hex(const unsigned char* bytes, std::size_t size) {
-  std::string text;
-  for (std::size_t i = 0; i < size; ++i) {
-    constexpr std::string_view kDigits = "0123456789abcdef";
-    text += kDigits[bytes[i] >> 4];
-    text += kDigits[bytes[i] & 15];
-  }
-  return text;
-}
-
 std::string tag_of(std::string_view bytes) {
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
   unsigned size = 0;
   EVP_Digest(bytes.data(), bytes.size(), digest.data(), &size, EVP_sha256(), nullptr);
-  return '"' + hex(digest.data(), std::min<std::size_t>(size, 16)) + '"';
+  return '"' + common::hex_text(std::span(digest).first(std::min(size, 16u))) + '"';
 }
 
 // Step by step and without following links, so that nothing outside the folder can be named.

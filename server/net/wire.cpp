@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "common/build_info.h"
 #include "protocol/geometry.h"
 #include "protocol/limits.h"
 
@@ -101,7 +102,8 @@ frame::Bytes bytes_from(std::string_view bytes) {
 }
 
 protocol::Envelope welcome_message(std::uint64_t session, const SessionLimits& limits,
-                                   const frame::FrameService::MarkerSet& markers) {
+                                   const frame::FrameService::MarkerSet& markers,
+                                   const protocol::Fingerprint& fingerprint) {
   protocol::Envelope envelope;
   protocol::Welcome& welcome = *envelope.mutable_welcome();
   welcome.set_session(session);
@@ -115,7 +117,19 @@ protocol::Envelope welcome_message(std::uint64_t session, const SessionLimits& l
   wanted.set_length(markers.marker_length);
   wanted.set_world_marker(markers.world_marker);
   wanted.mutable_ids()->Add(markers.ids.begin(), markers.ids.end());
+  *welcome.mutable_fingerprint() = fingerprint;
   return envelope;
+}
+
+protocol::Fingerprint fingerprint_message(const frame::FrameService::Fingerprint& renderer) {
+  protocol::Fingerprint message;
+  message.set_build(std::string(common::version()) + ", " + common::instruction_set() + ", " +
+                    common::build_id());
+  message.set_scene(renderer.scene);
+  message.set_scene_hash(renderer.scene_hash);
+  message.set_options(renderer.options);
+  message.set_hardware(renderer.hardware);
+  return message;
 }
 
 protocol::Envelope ping_message(std::uint64_t nonce) {

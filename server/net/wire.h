@@ -35,7 +35,10 @@ frame::EnvironmentInput environment_from(const protocol::Environment& environmen
 frame::Bytes bytes_from(std::string_view bytes);
 
 protocol::Envelope welcome_message(std::uint64_t session, const SessionLimits& limits,
-                                   const frame::FrameService::MarkerSet& markers);
+                                   const frame::FrameService::MarkerSet& markers,
+                                   const protocol::Fingerprint& fingerprint);
+// Of this build of the server and its renderer.
+protocol::Fingerprint fingerprint_message(const frame::FrameService::Fingerprint& renderer);
 protocol::Envelope ping_message(std::uint64_t nonce);
 protocol::Envelope pong_message(std::uint64_t nonce);
 protocol::Envelope busy_message(std::chrono::milliseconds retry_after, const std::string& reason);

@@ -3,21 +3,30 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdlib>
-#include <exception>
+#include <stdexcept>
+#include <utility>
 
+#include "client/link/messages.h"
 #include "faults/figure.h"
+#include "protocol/framing.h"
 
 namespace amalgam::test {
 
 ControlClient::ControlClient(const common::HostPort& server, const std::string& token)
-    : client_(server) {
-  protocol::Envelope hello = hello_message();
-  hello.mutable_hello()->set_token(token);
-  client_.send(hello);
-  client_.expect(protocol::Envelope::kWelcome);
+    : connection_({.server = server},
+                  client::hello_message(common::default_camera(640, 480), token, 0)) {
+  if (!next<client::Welcomed>()) throw std::runtime_error("the healthy client was not let in");
   thread_ = std::thread([this] { run(); });
+}
+
+template <typename Event>
+std::optional<Event> ControlClient::next() {
+  auto event = connection_.wait(std::chrono::seconds(10));
+  if (!event || !std::holds_alternative<Event>(*event)) return std::nullopt;
+  return std::get<Event>(std::move(*event));
 }
 
 ControlClient::~ControlClient() {
@@ -26,17 +35,15 @@ ControlClient::~ControlClient() {
 
 void ControlClient::run() {
   using Clock = std::chrono::steady_clock;
-  try {
-    for (std::uint64_t id = 1; !stop_; ++id) {
-      const auto begin = Clock::now();
-      client_.send(frame_message(id));
-      client_.expect(protocol::Envelope::kComposite);
-      milliseconds_.push_back(
-          std::chrono::duration<double, std::milli>(Clock::now() - begin).count());
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-  } catch (const std::exception&) {
-    lost_ = true;
+  constexpr std::array<unsigned char, 4> kJpeg{'j', 'p', 'e', 'g'};
+  for (std::uint64_t id = 1; !stop_ && !lost_; ++id) {
+    const auto begin = Clock::now();
+    connection_.send(id, protocol::encode(client::frame_message(id, kJpeg, begin, {})));
+    const auto answer = next<client::Composited>();
+    lost_ = !answer || answer->composite.frame_id() != id;
+    if (lost_) return;
+    milliseconds_.push_back(std::chrono::duration<double, std::milli>(answer->at - begin).count());
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
 }
 

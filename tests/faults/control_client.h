@@ -1,17 +1,21 @@
-// A healthy client that runs beside a fault, and tells what it felt of it.
+// A healthy client that runs beside a fault, and tells what it felt of it. Speaks as amalgam-client
+// does, by its library.
 #pragma once
 
 #include <atomic>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
-#include "support/net/test_client.h"
+#include "client/link/connection.h"
+#include "common/host_port.h"
 
 namespace amalgam::test {
 
 class ControlClient {
  public:
+  // Throws std::runtime_error if there is no session.
   explicit ControlClient(const common::HostPort& server, const std::string& token = "");
   ~ControlClient();
 
@@ -27,8 +31,11 @@ class ControlClient {
 
  private:
   void run();
+  // The next event, if it is of this kind and comes within ten seconds.
+  template <typename Event>
+  std::optional<Event> next();
 
-  TestClient client_;
+  client::Connection connection_;
   std::atomic<bool> stop_ = false;
   std::vector<double> milliseconds_;
   bool lost_ = false;

@@ -16,6 +16,7 @@
 
 #include "faults/figure.h"
 #include "faults/server_process.h"
+#include "protocol/session_record.h"
 #include "support/child_process.h"
 #include "support/net/test_client.h"
 
@@ -227,6 +228,33 @@ TEST_F(ServerProgram, WhatCannotBeMeantIsRefusedInOneLine) {
   EXPECT_THAT(refusal({"--listen", "0.0.0.0:0"}), HasSubstr("--insecure"));
   EXPECT_THAT(refusal({"--tls-certificate", "/nonexistent.crt"}), HasSubstr("certificate"));
   EXPECT_THAT(refusal({"--environment-from", "somebody"}), HasSubstr("environment-from"));
+}
+
+// As a disk on which there is no more room: files may not grow any further.
+TEST_F(ServerProgram, AFullDiskEndsTheRecordAndNothingElse) {
+  rlimit before{};
+  ::getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit small{100'000, before.rlim_max};
+  ::setrlimit(RLIMIT_FSIZE, &small);  // the child takes it over
+  ServerProcess server({"--scene", kScenes + "diffuse.gltf", "--record-sessions", folder_.string()},
+                       null_);
+  ::setrlimit(RLIMIT_FSIZE, &before);
+  TestClient client(server.address());
+  client.send(hello_message());
+  client.expect(Envelope::kWelcome);
+  for (std::uint64_t id = 1; id <= 20; ++id) {
+    client.send(frame_message(id, std::string(20'000, 'x')));
+    client.expect_error(protocol::Error::BAD_IMAGE);
+  }
+  EXPECT_THAT(http_get(server.admin_address(), "/state").body, HasSubstr("\"failed\": 1"));
+  EXPECT_TRUE(server.is_running());
+  std::size_t frames = 0;
+  for (const auto& entry : fs::directory_iterator(folder_)) {
+    protocol::SessionRecordReader reader(entry.path());
+    while (const auto record = reader.next()) frames += record->has_submitted() ? 1 : 0;
+    EXPECT_FALSE(reader.was_cut());
+  }
+  EXPECT_EQ(frames, 4u);  // as many as have room
 }
 
 }  // namespace

@@ -5,12 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "codec/jpeg.h"
-#include "frame/default_view.h"
-#include "frame/render_thread.h"
-#include "frame/scene_renderer.h"
-#include "protocol/geometry.h"
-#include "support/net/server_around.h"
+#include "integration/real_server.h"
 
 namespace amalgam::test {
 namespace {
@@ -18,61 +13,16 @@ namespace {
 using protocol::Envelope;
 
 constexpr int kWidth = 96, kHeight = 72;
-const std::string kScene = AMALGAM_SOURCE_DIR "/deploy/scenes/mirror.gltf";
 
-std::string jpeg_of(const common::ImageRgb8& picture) {
-  const frame::Bytes jpeg = codec::encode_jpeg(picture, 95);
-  return {reinterpret_cast<const char*>(jpeg.data()), jpeg.size()};
-}
-
-// Equirectangular, brighter on one side.
-std::string light(const common::Rgb8& left, const common::Rgb8& right) {
-  common::ImageRgb8 picture(64, 32, left);
-  for (int y = 0; y < 32; ++y) {
-    for (int x = 32; x < 64; ++x) picture.at(x, y) = right;
-  }
-  return jpeg_of(picture);
-}
-const std::string kWarm = light({250, 160, 60}, {60, 40, 20});
-const std::string kCold = light({30, 40, 60}, {120, 180, 250});
-
-// Without OpenGL, which takes seconds to start; tests/unit/frame has the same with it.
-frame::MakeRenderer renderer() {
-  frame::RendererSettings settings;
-  settings.mode = frame::RendererMode::Raytrace;
-  return frame::renderer_of_file(kScene, settings);
-}
-
-// A busy machine refuses nobody here.
-net::ServerConfig config_without_load() {
-  net::ServerConfig config;
-  config.admission.load = 0.0;
-  return config;
-}
-
-class RealServer {
- public:
-  frame::RenderThread service{renderer()};
-  ServerAround server{service, config_without_load()};
-
-  TestClient session() {
-    Envelope hello = hello_message();
-    *hello.mutable_hello()->mutable_camera() =
-        protocol::to_message(common::default_camera(kWidth, kHeight));
-    return server.session(hello);
-  }
-};
-
-void send_light(TestClient& client, const std::string& jpeg, bool own) {
-  Envelope message = environment_message(jpeg);
-  message.mutable_environment()->set_own(own);
-  client.send(message);
+TestClient session(RealServer& server) {
+  return server.session(kWidth, kHeight);
 }
 
 std::string composite(TestClient& client, std::uint64_t id) {
   Envelope frame = frame_message(id, jpeg_of({kWidth, kHeight, common::Rgb8(128)}));
   frame.mutable_camera_frame()->clear_poses();
-  *frame.mutable_camera_frame()->add_poses() = protocol::to_message(frame::default_pose(40));
+  *frame.mutable_camera_frame()->add_poses() =
+      protocol::to_message(frame::default_pose(kMirrorWorldMarker));
   client.send(frame);
   return client.expect(Envelope::kComposite).composite().jpeg();
 }
@@ -80,7 +30,7 @@ std::string composite(TestClient& client, std::uint64_t id) {
 // The second frame of a server whose only environment this is.
 std::string alone(const std::string& jpeg) {
   RealServer server;
-  TestClient client = server.session();
+  TestClient client = session(server);
   if (!jpeg.empty()) send_light(client, jpeg, false);
   composite(client, 1);
   return composite(client, 2);
@@ -88,7 +38,7 @@ std::string alone(const std::string& jpeg) {
 
 void reload(frame::RenderThread& service) {
   std::promise<std::optional<std::string>> ended;
-  service.replace_renderer(renderer(),
+  service.replace_renderer(traced(),
                            [&](std::optional<std::string> error) { ended.set_value(error); });
   EXPECT_EQ(ended.get_future().get(), std::nullopt);
 }
@@ -97,7 +47,7 @@ TEST(OwnEnvironment, EachSessionIsLitAsIfItWereAlone) {
   const std::string warm_alone = alone(kWarm), cold_alone = alone(kCold), scene_alone = alone("");
   ASSERT_FALSE(warm_alone == cold_alone);
   RealServer server;
-  TestClient warm = server.session(), cold = server.session(), plain = server.session();
+  TestClient warm = session(server), cold = session(server), plain = session(server);
   send_light(warm, kWarm, true);
   send_light(cold, kCold, true);
   for (TestClient* client : {&warm, &cold, &plain}) composite(*client, 1);
@@ -108,7 +58,7 @@ TEST(OwnEnvironment, EachSessionIsLitAsIfItWereAlone) {
   // A new light for all is none for those who have their own. Exposures remember, so the follower
   // is a session that has seen no other light.
   send_light(plain, kCold, false);
-  TestClient follower = server.session();
+  TestClient follower = session(server);
   composite(follower, 1);
   EXPECT_TRUE(composite(follower, 2) == cold_alone);
   EXPECT_TRUE(composite(warm, 3) == warm_alone);
@@ -123,7 +73,7 @@ TEST(OwnEnvironment, EachSessionIsLitAsIfItWereAlone) {
 // It is looked at with the next frame; the session goes on with the light that it had.
 TEST(OwnEnvironment, AnUnusableOneIsTold) {
   RealServer server;
-  TestClient client = server.session();
+  TestClient client = session(server);
   const std::string before = composite(client, 1);
   send_light(client, "no JPEG", true);
   Envelope frame = frame_message(2, jpeg_of({kWidth, kHeight, common::Rgb8(128)}));

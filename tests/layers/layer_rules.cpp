@@ -10,7 +10,7 @@ namespace amalgam::layers {
 namespace {
 
 // Made by the build, in the folder's name.
-constexpr std::array kGenerated{"protocol/amalgam.pb.h"};
+constexpr std::array kGenerated{"protocol/amalgam.pb.h", "protocol/session_record.pb.h"};
 
 // Under which folders a header is looked for by the name that it is included by.
 constexpr std::array kRoots{"", "server/", "protocol/"};

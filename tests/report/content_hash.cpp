@@ -7,6 +7,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "common/hex_text.h"
 #include "report/whole_file.h"
 
 namespace amalgam::report {
@@ -53,13 +54,7 @@ std::string ContentHash::digest() {
   std::array<unsigned char, EVP_MAX_MD_SIZE> bytes{};
   unsigned size = 0;
   check(EVP_DigestFinal_ex(state_->context, bytes.data(), &size));
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  std::string text;
-  for (unsigned i = 0; i < size; ++i) {
-    text += kDigits[bytes[i] / 16];
-    text += kDigits[bytes[i] % 16];
-  }
-  return text;
+  return common::hex_text(std::span(bytes).first(size));
 }
 
 std::string scene_hash(const std::filesystem::path& gltf) {

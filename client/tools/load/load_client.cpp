@@ -1,25 +1,25 @@
 #include "client/tools/load/load_client.h"
 
-#include <boost/asio/buffer.hpp>
-#include <boost/asio/ip/address.hpp>
+#include <boost/asio/ip/address_v4.hpp>
+#include <boost/asio/post.hpp>
 #include <limits>
 #include <random>
 #include <span>
+#include <utility>
 
-#include "protocol/limits.h"
+#include "client/link/messages.h"
+#include "client/tools/load/silent_client.h"
+#include "protocol/framing.h"
 
 namespace amalgam::load {
 namespace {
 
 namespace asio = boost::asio;
-using asio::ip::tcp;
 using protocol::Envelope;
 
-// Time for answers after the last frame, even from a slow machine.
+// Time for answers after the last frame, and for a welcome, even from a slow machine.
 constexpr std::chrono::seconds kPatience{20};
 constexpr double kMarkerDistance = 0.4;  // metres, straight ahead
-// Frames that may wait behind the one being written: none. This allows for small messages.
-constexpr std::size_t kMaxQueue = 2;
 
 std::uint64_t microseconds(std::chrono::steady_clock::time_point time) {
   return static_cast<std::uint64_t>(
@@ -30,120 +30,73 @@ std::uint64_t microseconds(std::chrono::steady_clock::time_point time) {
 
 LoadClient::LoadClient(asio::io_context& io, const LoadOptions& options, const LoadImage& image,
                        LoadSummary& summary, int number)
-    : options_(options),
-      image_(image),
-      summary_(summary),
-      number_(number),
-      stream_(tcp::socket(io)),
-      timer_(io),
-      buffer_(protocol::kReadBufferBytes) {}
+    : io_(io), options_(options), image_(image), summary_(summary), number_(number), timer_(io) {}
 
 void LoadClient::start(Clock::time_point load_begin) {
   load_begin_ = load_begin;
-  const tcp::endpoint server(asio::ip::make_address(options_.server.host), options_.server.port);
-  take_source_address();
-  stream_.socket().async_connect(server, [self = shared_from_this()](const ErrorCode& ec) {
-    if (ec) return self->end(true);
-    ErrorCode ignored;
-    self->stream_.socket().set_option(tcp::no_delay(true), ignored);
-    if (self->options_.fault == Fault::HalfOpen) return self->say_nothing();
-    self->options_.tls ? self->secure() : self->say_hello();
-  });
+  if (options_.fault == Fault::HalfOpen) {
+    return std::make_shared<SilentClient>(io_, options_, summary_)->start(source_address());
+  }
+  link_ = std::make_shared<client::Link>(io_, options_.tls, events());
+  if (const auto source = source_address()) link_->come_from(*source);
+  link_->open(options_.server, hello(), kPatience);
 }
 
-void LoadClient::secure() {
-  stream_.handshake_as_client(options_.tls, options_.server.host,
-                              [self = shared_from_this()](const ErrorCode& ec) {
-                                ec ? self->end(true) : self->say_hello();
-                              });
+client::Link::Events LoadClient::events() {
+  client::Link::Events events;
+  events.welcomed = [self = shared_from_this()](const protocol::Welcome& welcome) {
+    self->on_welcome(welcome);
+  };
+  events.composite = [self = shared_from_this()](const protocol::Composite& composite) {
+    self->on_composite(composite);
+  };
+  events.error = [self = shared_from_this()](const protocol::Error& error) {
+    self->on_error(error);
+  };
+  events.idle = [self = shared_from_this()] { self->on_idle(); };
+  events.ended = [self = shared_from_this()](const client::LinkEnd& end) {
+    self->on_link_end(end);
+  };
+  events.draining = [self = shared_from_this()] {
+    self->draining_ = true;
+    if (self->state_ != State::Ended) self->wait_for_answers();
+  };
+  return events;
 }
 
-void LoadClient::take_source_address() {
-  if (options_.sources == 0) return;
+std::optional<asio::ip::address> LoadClient::source_address() const {
+  if (options_.sources == 0) return std::nullopt;
   // All of 127.0.0.0/8 is this machine.
   constexpr unsigned kLoopback = 0x7f000000;
-  const asio::ip::address_v4 address(
+  return asio::ip::address_v4(
       kLoopback + static_cast<unsigned>(options_.first_source + number_ % options_.sources));
-  stream_.socket().open(tcp::v4());
-  stream_.socket().bind({address, 0});
 }
 
-void LoadClient::say_hello() {
-  Envelope envelope;
-  protocol::Hello& hello = *envelope.mutable_hello();
-  hello.set_version(protocol::kProtocolVersion);
-  hello.set_token(options_.fault == Fault::WrongToken ? "not " + options_.token : options_.token);
-  protocol::Camera& camera = *hello.mutable_camera();
-  camera.set_width(static_cast<std::uint32_t>(image_.width));
-  camera.set_height(static_cast<std::uint32_t>(image_.height));
-  camera.set_fx(image_.width);
-  camera.set_fy(image_.width);
-  camera.set_cx((image_.width - 1) / 2.0);
-  camera.set_cy((image_.height - 1) / 2.0);
-  send(envelope);
-  read();
+protocol::Hello LoadClient::hello() const {
+  const common::CameraModel camera{.width = image_.width,
+                                   .height = image_.height,
+                                   .fx = static_cast<double>(image_.width),
+                                   .fy = static_cast<double>(image_.width),
+                                   .cx = (image_.width - 1) / 2.0,
+                                   .cy = (image_.height - 1) / 2.0};
+  const bool wrong = options_.fault == Fault::WrongToken;
+  return client::hello_message(camera, wrong ? "not " + options_.token : options_.token, 0);
 }
 
 // --- what comes back ---
 
-void LoadClient::read() {
-  stream_.read_some(
-      asio::buffer(buffer_), [self = shared_from_this()](const ErrorCode& ec, std::size_t size) {
-        if (self->state_ == State::Ended) return;
-        if (ec) return self->end(!self->draining_);
-        self->take(size);
-        const bool reads = self->options_.fault != Fault::SlowReader || self->marker_ == 0;
-        if (self->state_ != State::Ended && reads) self->read();
-      });
-}
-
-void LoadClient::take(std::size_t size) {
-  summary_.bytes_received += size;
-  std::span<const std::byte> input = std::span(buffer_).first(size);
-  while (state_ != State::Ended) {
-    const auto result = decoder_.next(input);
-    if (std::holds_alternative<protocol::Decoder::NeedMore>(result)) return;
-    if (std::holds_alternative<protocol::Decoder::Failure>(result)) return end(true);
-    visit(std::get<Envelope>(result));
-  }
-}
-
-void LoadClient::visit(const Envelope& envelope) {
-  switch (envelope.body_case()) {
-    case Envelope::kWelcome:
-      ++summary_.welcomed;
-      marker_ = envelope.welcome().markers().world_marker();
-      if (options_.fault == Fault::HelloOnly) return end(false);
-      state_ = State::Sending;
-      begin_ = next_frame_ = Clock::now();
-      return options_.fault == Fault::Garbage ? send_garbage() : send_frame();
-    case Envelope::kComposite:
-      return on_composite(envelope.composite());
-    case Envelope::kError:
-      return on_error(envelope.error());
-    case Envelope::kPing: {
-      Envelope pong;
-      pong.mutable_pong()->set_nonce(envelope.ping().nonce());
-      return send(pong);
-    }
-    case Envelope::kBusy:
-      ++summary_.errors["BUSY"];
-      return end(true);
-    case Envelope::kDraining:  // the server closes when it is done
-      draining_ = true;
-      return wait_for_answers();
-    case Envelope::kPong:
-      return;
-    case Envelope::kHello:
-    case Envelope::kCameraFrame:
-    case Envelope::kEnvironment:
-    case Envelope::kGoodbye:
-    case Envelope::BODY_NOT_SET:
-      return end(true);  // nothing that a server says
-  }
+void LoadClient::on_welcome(const protocol::Welcome& welcome) {
+  ++summary_.welcomed;
+  marker_ = welcome.markers().world_marker();
+  if (options_.fault == Fault::HelloOnly) return end(false);
+  if (options_.fault == Fault::SlowReader) link_->stop_reading();
+  state_ = State::Sending;
+  begin_ = next_frame_ = Clock::now();
+  options_.fault == Fault::Garbage ? send_garbage() : send_frame();
 }
 
 void LoadClient::on_composite(const protocol::Composite& composite) {
+  if (state_ == State::Ended) return;
   ++summary_.composited;
   if (composite.unchanged()) ++summary_.unchanged;
   summary_.skipped += composite.skipped() - skipped_;
@@ -160,10 +113,23 @@ void LoadClient::on_composite(const protocol::Composite& composite) {
 }
 
 void LoadClient::on_error(const protocol::Error& error) {
+  if (state_ == State::Ended) return;
   ++summary_.errors[protocol::Error::Code_Name(error.code())];
-  if (error.closes()) return end(true);
   // A frame with rejected poses still gets its composite.
   if (error.code() != protocol::Error::POSE_REJECTED) answered(error.frame_id());
+}
+
+void LoadClient::on_link_end(const client::LinkEnd& link_end) {
+  if (state_ != State::Ended) {
+    const bool busy = link_end.kind == client::LinkEnd::Kind::Busy;
+    if (busy) ++summary_.errors["BUSY"];
+    if (link_end.code) ++summary_.errors[protocol::Error::Code_Name(*link_end.code)];
+    end(busy || link_end.code || !draining_);
+  }
+  summary_.bytes_sent += link_->bytes_sent();
+  summary_.bytes_received += link_->bytes_received();
+  // The link is in the middle of telling this, and holds this client.
+  asio::post(io_, [link = std::move(link_)] {});
 }
 
 void LoadClient::answered(std::uint64_t frame_id) {
@@ -177,7 +143,11 @@ void LoadClient::wait_for_next_frame() {
       std::chrono::duration<double>(1.0 / options_.rate));
   const bool enough =
       options_.frames > 0 ? last_frame_ >= options_.frames : next_frame_ - begin_ >= length();
-  if (enough) return options_.fault == Fault::Cut ? cut() : wait_for_answers();
+  if (enough) {
+    if (options_.fault != Fault::Cut) return wait_for_answers();
+    state_ = State::Cutting;
+    return on_idle();
+  }
   timer_.expires_at(next_frame_);
   timer_.async_wait([self = shared_from_this()](const ErrorCode& ec) {
     if (!ec && self->state_ == State::Sending) self->send_frame();
@@ -186,14 +156,25 @@ void LoadClient::wait_for_next_frame() {
 
 void LoadClient::send_frame() {
   due_.push_back({last_frame_ + 1, next_frame_});
-  if (queue_.size() >= kMaxQueue) {
+  if (!waiting_.empty()) {
     ++summary_.unsent;
   } else {
     if (options_.fault == Fault::Environments) send_environment();
     ++summary_.sent;
-    send(next_frame());
+    waiting_ = protocol::encode(next_frame());
+    on_idle();
   }
-  wait_for_next_frame();
+  if (state_ == State::Sending) wait_for_next_frame();
+}
+
+// The link may be writing something still.
+void LoadClient::on_idle() {
+  if (!link_ || !link_->is_idle()) return;
+  if (!waiting_.empty()) return link_->write_frame(std::exchange(waiting_, ""));
+  if (state_ != State::Cutting) return;
+  if (std::exchange(half_sent_, true)) return end(false);
+  const std::string last = protocol::encode(next_frame());
+  link_->write_first(last.substr(0, last.size() / 2));
 }
 
 std::chrono::milliseconds LoadClient::length() const {
@@ -204,7 +185,7 @@ void LoadClient::send_environment() {
   Envelope envelope;
   envelope.mutable_environment()->set_image(image_.jpeg);
   envelope.mutable_environment()->set_own(last_frame_ % 2 == 0);
-  send(envelope);
+  link_->write_first(protocol::encode(envelope));
 }
 
 // Different for each client, and the same whenever that client is run again.
@@ -212,13 +193,7 @@ void LoadClient::send_garbage() {
   std::mt19937 random(static_cast<unsigned>(number_));
   std::string bytes(1 + random() % (16 * 1024), '\0');
   for (char& byte : bytes) byte = static_cast<char>(random() % 256);
-  queue_.push_back(std::move(bytes));
-  if (queue_.size() == 1) write();
-  wait_for_answers();
-}
-
-void LoadClient::say_nothing() {
-  read();
+  link_->write_first(std::move(bytes));
   wait_for_answers();
 }
 
@@ -229,18 +204,15 @@ double LoadClient::marker_distance() const {
 }
 
 Envelope LoadClient::next_frame() {
-  Envelope envelope;
-  protocol::CameraFrame& frame = *envelope.mutable_camera_frame();
-  frame.set_frame_id(++last_frame_);
-  frame.set_capture_time_us(microseconds(next_frame_));
-  frame.set_jpeg(options_.fault == Fault::BadImage ? "not a JPEG" : image_.jpeg);
-  protocol::Pose& pose = *frame.add_poses();
-  pose.set_marker(marker_);
-  pose.mutable_rotation()->set_x(1.0);  // half a turn: the marker faces the camera
-  pose.mutable_translation()->set_z(options_.fault == Fault::BadPose
-                                        ? std::numeric_limits<double>::quiet_NaN()
-                                        : marker_distance());
-  return envelope;
+  const std::string jpeg = options_.fault == Fault::BadImage ? "not a JPEG" : image_.jpeg;
+  const double distance = options_.fault == Fault::BadPose
+                              ? std::numeric_limits<double>::quiet_NaN()
+                              : marker_distance();
+  const common::MarkerPose pose{.marker = marker_,
+                                .rotation = {0.0, 1.0, 0.0, 0.0},  // it faces the camera
+                                .translation = {0.0, 0.0, distance}};
+  const std::span bytes(reinterpret_cast<const unsigned char*>(jpeg.data()), jpeg.size());
+  return client::frame_message(++last_frame_, bytes, next_frame_, std::span(&pose, 1));
 }
 
 void LoadClient::wait_for_answers() {
@@ -252,36 +224,14 @@ void LoadClient::wait_for_answers() {
   });
 }
 
-void LoadClient::cut() {
-  const auto bytes = std::make_shared<std::string>(protocol::encode(next_frame()));
-  bytes->resize(bytes->size() / 2);
-  stream_.write(asio::buffer(*bytes), [self = shared_from_this(), bytes](
-                                          const ErrorCode&, std::size_t) { self->end(false); });
-}
-
-void LoadClient::send(const Envelope& envelope) {
-  queue_.push_back(protocol::encode(envelope));
-  if (queue_.size() == 1) write();
-}
-
-void LoadClient::write() {
-  stream_.write(asio::buffer(queue_.front()),
-                [self = shared_from_this()](const ErrorCode& ec, std::size_t size) {
-                  if (self->state_ == State::Ended) return;
-                  if (ec) return self->end(!self->draining_);
-                  self->summary_.bytes_sent += size;
-                  self->queue_.pop_front();
-                  if (!self->queue_.empty()) self->write();
-                });
-}
-
 void LoadClient::end(bool lost) {
   if (state_ == State::Ended) return;
   state_ = State::Ended;
   if (lost) ++summary_.lost;
   summary_.unanswered += due_.size();
-  stream_.close();
   timer_.cancel();
+  // Only who behaves says goodbye.
+  options_.fault == Fault::None ? link_->close() : link_->cut();
 }
 
 }  // namespace amalgam::load

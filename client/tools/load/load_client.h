@@ -6,14 +6,13 @@
 #include <chrono>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <string>
-#include <vector>
 
+#include "client/link/link.h"
 #include "client/tools/load/load_image.h"
 #include "client/tools/load/load_options.h"
 #include "client/tools/load/load_summary.h"
-#include "protocol/framing.h"
-#include "protocol/stream.h"
 
 namespace amalgam::load {
 
@@ -28,38 +27,33 @@ class LoadClient : public std::enable_shared_from_this<LoadClient> {
 
  private:
   using ErrorCode = boost::system::error_code;
-  enum class State { Connecting, Sending, Waiting, Ended };
+  enum class State { Connecting, Sending, Cutting, Waiting, Ended };
 
-  void take_source_address();
-  void secure();
-  void say_hello();
-  void read();
-  void take(std::size_t size);
-  void visit(const protocol::Envelope& envelope);
+  client::Link::Events events();
+  std::optional<boost::asio::ip::address> source_address() const;
+  protocol::Hello hello() const;
+  void on_welcome(const protocol::Welcome& welcome);
   void on_composite(const protocol::Composite& composite);
   void on_error(const protocol::Error& error);
+  void on_idle();
+  void on_link_end(const client::LinkEnd& link_end);
 
   void wait_for_next_frame();
   void send_frame();
   void send_garbage();
   void send_environment();
-  void say_nothing();
   std::chrono::milliseconds length() const;  // of this client's session
   protocol::Envelope next_frame();
   double marker_distance() const;  // metres
   void answered(std::uint64_t frame_id);
-  void cut();
   void wait_for_answers();
-
-  void send(const protocol::Envelope& envelope);
-  void write();
   void end(bool lost);
 
+  boost::asio::io_context& io_;
   const LoadOptions& options_;
   const LoadImage& image_;
   LoadSummary& summary_;
   int number_;
-  protocol::Stream stream_;
   boost::asio::steady_timer timer_;
   State state_ = State::Connecting;
   bool draining_ = false;
@@ -73,9 +67,9 @@ class LoadClient : public std::enable_shared_from_this<LoadClient> {
   std::uint64_t last_frame_ = 0;
   std::uint64_t skipped_ = 0;
   int marker_ = 0;
-  protocol::Decoder decoder_{protocol::limits_of_client()};
-  std::vector<std::byte> buffer_;
-  std::deque<std::string> queue_;  // the first one is being written
+  std::string waiting_;  // the frame behind the one that is being written; empty: none
+  bool half_sent_ = false;
+  std::shared_ptr<client::Link> link_;  // until it has ended; its events keep this client alive
 };
 
 }  // namespace amalgam::load

@@ -1,4 +1,4 @@
-// amalgam-load: N clients, one JSON summary.
+// amalgam-load: N clients and one JSON summary, or one recorded session played again.
 #include <boost/asio/io_context.hpp>
 #include <chrono>
 #include <cstdlib>
@@ -12,6 +12,7 @@
 #include "client/tools/load/load_image.h"
 #include "client/tools/load/load_options.h"
 #include "client/tools/load/load_summary.h"
+#include "client/tools/load/run_replay.h"
 #include "common/run_program.h"
 
 namespace amalgam::load {
@@ -55,6 +56,11 @@ int main(int argc, char** argv) {
   return amalgam::common::run_program("amalgam-load", [&] {
     const auto options = amalgam::load::parse_load_options(argc, argv);
     if (!options) return EXIT_SUCCESS;
+    if (!options->replay.empty()) {
+      const amalgam::load::ReplayOutcome outcome = amalgam::load::run_replay(*options);
+      std::cout << outcome.json << std::endl;
+      return outcome.good ? EXIT_SUCCESS : EXIT_FAILURE;
+    }
     const amalgam::load::LoadSummary summary = amalgam::load::run(*options);
     if (!options->latencies.empty()) {
       amalgam::load::write_latencies(summary, options->latencies);

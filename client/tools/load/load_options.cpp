@@ -36,7 +36,12 @@ std::optional<LoadOptions> parse_load_options(int argc, const char* const* argv)
       "holds "
       "its clients up does not look quick (coordinated omission). latency_ms is of composites; "
       "due_latency_ms is of all frames that were due: one that was not sent, or that the server "
-      "skipped, waits for the next composite.",
+      "skipped, waits for the next composite.\n\n"
+      "--replay plays a session that amalgam-server --record-sessions has recorded, and compares "
+      "its composites byte for byte: they are equal on the same build, scene, renderer's options "
+      "and kind of hardware. Other options than --server, --token-file, --tls and --ca do not "
+      "count "
+      "then. Ends with 1 if a composite differs.",
       "amalgam-load");
   app.set_version_flag("--version", common::version_line("amalgam-load"));
   app.add_option("--server", server, "the server")
@@ -119,6 +124,22 @@ std::optional<LoadOptions> parse_load_options(int argc, const char* const* argv)
          "--arrivals they come as a flood")
       ->capture_default_str()
       ->check(CLI::IsMember(faults));
+  auto* const replay =
+      app.add_option("--replay", options.replay,
+                     "a recorded session, with the pictures of its client, to be played again in "
+                     "its own time. Frames that the server skips now or skipped then are not "
+                     "compared; a metered exposure follows the frames that were not")
+          ->type_name("FILE")
+          ->check(CLI::ExistingFile.description(""));
+  app.add_flag("--as-fast-as-possible", options.as_fast_as_possible,
+               "each frame that was rendered is sent when the last one is answered, with the poses "
+               "that it was rendered with, so that all are rendered again in the same order")
+      ->needs(replay);
+  app.add_option("--output", options.output,
+                 "folder for frames that differ, as frame-000001-recorded.jpg and "
+                 "frame-000001-replayed.jpg by their number in the session")
+      ->type_name("FOLDER")
+      ->needs(replay);
   if (!common::parse_command_line(app, argc, argv)) return std::nullopt;
   options.server = common::parse_host_port(server);
   options.fault = faults.at(fault);

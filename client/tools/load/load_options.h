@@ -42,6 +42,9 @@ struct LoadOptions {
   int sources = 0;  // addresses 127.0.x.y that clients come from in turn; 0: the kernel's choice
   bool moving = false;  // the marker, so that no frame is like the last one
   Fault fault = Fault::None;
+  std::string replay;  // a recorded session's file, to be played instead of all that
+  bool as_fast_as_possible = false;
+  std::string output;  // a folder for the JPEGs of frames that differ; empty: nowhere
 };
 
 // Nothing after --help. Throws std::runtime_error or std::invalid_argument.

@@ -16,5 +16,12 @@ TEST(BuildInfo, SaysWhatAndForWhat) {
 #endif
 }
 
+// SHA-1 as GNU's linker and lld make it; equal whenever it is asked for.
+TEST(BuildInfo, TheBuildHasAnId) {
+  EXPECT_GE(build_id().size(), 32u);
+  EXPECT_EQ(build_id().find_first_not_of("0123456789abcdef"), std::string::npos);
+  EXPECT_EQ(build_id(), build_id());
+}
+
 }  // namespace
 }  // namespace amalgam::common

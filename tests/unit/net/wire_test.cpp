@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "codec/jpeg.h"
+#include "common/build_info.h"
 #include "net/client_error.h"
 #include "protocol/limits.h"
 
@@ -176,13 +177,22 @@ TEST(Wire, TheWelcomeTellsLimitsAndMarkers) {
   SessionLimits limits;
   limits.ping_interval = std::chrono::milliseconds(1250);
   limits.idle_timeout = std::chrono::seconds(7);
-  const auto envelope = welcome_message(9, limits, {"DICT_4X4_50", 0.04, 3, {3, 5}});
+  const auto envelope = welcome_message(9, limits, {"DICT_4X4_50", 0.04, 3, {3, 5}},
+                                        fingerprint_message({.scene = "desk.gltf",
+                                                             .scene_hash = "12ab",
+                                                             .options = "--samples 4",
+                                                             .hardware = "a GPU"}));
   const protocol::Welcome& welcome = envelope.welcome();
   EXPECT_EQ(welcome.session(), 9u);
   EXPECT_EQ(welcome.limits().ping_interval_ms(), 1250u);
   EXPECT_EQ(welcome.limits().idle_timeout_ms(), 7000u);
   EXPECT_EQ(welcome.limits().max_poses(), 64u);
   EXPECT_EQ(welcome.limits().max_message_bytes(), 4u * 1024 * 1024);
+  EXPECT_EQ(welcome.fingerprint().scene(), "desk.gltf");
+  EXPECT_EQ(welcome.fingerprint().scene_hash(), "12ab");
+  EXPECT_EQ(welcome.fingerprint().options(), "--samples 4");
+  EXPECT_EQ(welcome.fingerprint().hardware(), "a GPU");
+  EXPECT_NE(welcome.fingerprint().build().find(common::build_id()), std::string::npos);
   EXPECT_EQ(welcome.markers().dictionary(), "DICT_4X4_50");
   EXPECT_EQ(welcome.markers().length(), 0.04);
   EXPECT_EQ(welcome.markers().world_marker(), 3);
