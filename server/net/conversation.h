@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +24,7 @@
 #include "net/own_light.h"
 #include "net/pose_hold.h"
 #include "net/server_config.h"
+#include "net/session_figures.h"
 #include "net/session_report.h"
 
 namespace amalgam::net {
@@ -80,13 +82,16 @@ class Conversation {
   void leave();
 
   // What became of an Answer.
-  void written(std::size_t message_bytes) { ledger_.sent(message_bytes); }
+  void written(std::size_t message_bytes);
   void dropped() { ledger_.skip(Skip::Closed); }
 
   void set_peer(std::string peer) { peer_ = std::move(peer); }
   std::uint64_t skipped() const { return ledger_.skipped_count(); }
   std::string name() const;  // for logs
   SessionReport report() const;
+  // The last composite, if the operator wants to see them; null: there is none.
+  std::shared_ptr<const frame::Bytes> picture() const { return picture_; }
+  void forget_picture() { picture_.reset(); }
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -106,6 +111,7 @@ class Conversation {
   void on_environment_applied(std::optional<std::string> error);
   void on_rendered(std::uint64_t ticket, frame::FrameResult result);
   void send_composite(FrameLedger::Entry frame, frame::FrameOutput output);
+  void keep_picture(const frame::Bytes& jpeg);
   void fail(const frame::FrameFailure& failure, std::uint64_t frame_id);
 
   std::uint64_t id_;
@@ -124,6 +130,9 @@ class Conversation {
   OwnLight own_light_;
   common::RateLimit environment_rate_;
   FrameLedger ledger_;
+  Clock::time_point begun_ = Clock::now();
+  SessionFigures figures_;
+  std::shared_ptr<const frame::Bytes> picture_;
 };
 
 }  // namespace amalgam::net

@@ -13,11 +13,14 @@
 #include <vector>
 
 #include "common/log.h"
+#include "core/cpu_count.h"
 #include "net/admin.h"
 #include "net/agent_check.h"
 #include "net/connection.h"
 #include "net/connection_limits.h"
+#include "net/limits_in_use.h"
 #include "net/listener.h"
+#include "net/liveness.h"
 #include "net/memory_trim.h"
 #include "net/metrics.h"
 #include "net/quietly.h"
@@ -31,12 +34,8 @@
 #include "protocol/framing.h"
 
 namespace amalgam::net {
-namespace {
 
 namespace asio = boost::asio;
-using Clock = std::chrono::steady_clock;
-
-}  // namespace
 
 class Server::Impl {
  public:
@@ -49,7 +48,9 @@ class Server::Impl {
                {.not_alive = [this] { return not_alive(); },
                 .not_ready = [this] { return not_ready(); },
                 .metrics = [this] { return metrics_.text(gauges()); },
-                .state = [this] { return state(); }}),
+                .state = [this] { return state(); },
+                .picture = [this](std::uint64_t session) { return picture(session); },
+                .files = config.status_files}),
         listener_(
             io_, config.listen, config_, limits_, back_off_, metrics_,
             [](std::chrono::milliseconds retry_after, const std::string& reason) {
@@ -118,6 +119,8 @@ class Server::Impl {
     limits_.set_caps(config.connections);
     admission_.set_limits(config.admission);
     admin_.set_max_connections(config.connections.admin);
+    if (config.admin_pictures) return;
+    for (const auto& [id, session] : sessions_) session->forget_picture();
   }
 
   void reload_ended(const std::optional<std::string>& error) {
@@ -146,6 +149,7 @@ class Server::Impl {
   }
 
  private:
+  using Clock = std::chrono::steady_clock;
   // Leaving: still serves everybody, but tells load balancers to look elsewhere.
   enum class Phase { Loading, Serving, Leaving, Draining, Finished };
 
@@ -272,19 +276,7 @@ class Server::Impl {
     return context_ ? context_->service.load() : frame::ServiceLoad{};
   }
 
-  std::string not_alive() const {
-    const frame::ServiceLoad now = load();
-    const auto ms = [](std::chrono::milliseconds time) {
-      return std::to_string(time.count()) + " ms";
-    };
-    if (now.without_progress >= config_.stuck_after) {
-      return "the renderer has made no progress for " + ms(now.without_progress);
-    }
-    if (now.reloading >= config_.stuck_reload_after) {
-      return "a new renderer has been under way for " + ms(now.reloading);
-    }
-    return "";
-  }
+  std::string not_alive() const { return why_not_alive(load(), config_); }
 
   Gauges gauges() const {
     return {.connections = limits_.total(),
@@ -318,11 +310,24 @@ class Server::Impl {
   std::string state() const {
     ServerReport report;
     report.not_ready = not_ready();
+    report.not_alive = not_alive();
     report.ray_tracer = config_.ray_tracer;
     report.uptime = std::chrono::duration_cast<std::chrono::seconds>(Clock::now() - started_);
+    report.cores = cores_;
+    report.admin_pictures = config_.admin_pictures;
     report.connections = limits_.total();
+    report.load = load();
+    report.limits = limits_in_use(config_, limits_, admission_, report.load);
     for (const auto& [id, session] : sessions_) report.sessions.push_back(session->report());
     return state_json(report);
+  }
+
+  Picture picture(std::uint64_t session) const {
+    if (!config_.admin_pictures) return "no pictures are kept: that takes --admin-pictures";
+    const auto found = sessions_.find(session);
+    auto picture = found == sessions_.end() ? nullptr : found->second->picture();
+    if (picture) return picture;
+    return "session " + std::to_string(session) + " is not there, or without a composite";
   }
 
   // In the order of dependence: what is destroyed first may still use what stands above it.
@@ -335,6 +340,7 @@ class Server::Impl {
   std::optional<ServerContext> context_;
   std::optional<Connection::Shared> shared_;
   Clock::time_point started_ = Clock::now();
+  int cores_ = core::usable_cpus();
   Phase phase_ = Phase::Loading;
   std::uint64_t last_session_ = 0;
   std::function<void()> reload_;
