@@ -30,7 +30,7 @@ have() {
   done
 }
 
-for part in scenes methods clients film truth; do
+for part in scenes methods clients film truth status; do
   # shellcheck source=/dev/null
   source "deploy/pictures_$part.sh"
 done

@@ -172,6 +172,13 @@ void check_exposure(const net::ServerConfig& net, bool insecure) {
   }
 }
 
+// The admin port asks for nothing.
+void check_pictures(const net::ServerConfig& net, bool insecure) {
+  if (insecure || !net.admin_pictures || is_loopback(net.admin.host)) return;
+  throw std::invalid_argument("anybody could see the clients' pictures at " + to_string(net.admin) +
+                              ": take --admin-pictures away, or say --insecure");
+}
+
 }  // namespace
 
 std::optional<ServerOptions> parse_server_options(int argc, const char* const* argv) {
@@ -194,9 +201,14 @@ std::optional<ServerOptions> parse_server_options(int argc, const char* const* a
   app.add_option("--listen", listen, "where clients connect; port 0 takes a free one")
       ->capture_default_str()
       ->type_name("ADDRESS:PORT");
-  app.add_option("--admin", admin, "where /livez /readyz /metrics /state are; port 0 as above")
+  app.add_option(
+         "--admin", admin,
+         "where the status page (/) and /livez /readyz /metrics /state are; port 0 as above")
       ->capture_default_str()
       ->type_name("ADDRESS:PORT");
+  app.add_flag("--admin-pictures", options.net.admin_pictures,
+               "show the last composite of each session on the status page, to whoever reaches it "
+               "(/pictures/SESSION.jpg). Off, none is kept");
   std::string agent;
   app.add_option("--agent-check", agent,
                  "where a load balancer reads the free capacity (HAProxy's agent-check); port 0 as "
@@ -229,9 +241,11 @@ std::optional<ServerOptions> parse_server_options(int argc, const char* const* a
   if (!agent.empty()) options.net.agent = common::parse_host_port(agent);
   if (!web.empty()) options.net.web = common::parse_host_port(web);
   options.net.web_options.files = web::web_files();
+  options.net.status_files = web::status_files();
   options.net.ray_tracer = frame::ray_tracer_version();
   if (!token_file.empty()) options.net.grants = net::read_grants(token_file);
   check_exposure(options.net, insecure);
+  check_pictures(options.net, insecure);
   return options;
 }
 

@@ -1,10 +1,11 @@
-// Bundles the page and its tests.
+// Bundles the two pages, the client's and the status page, and their tests.
 //
-//   node build.mjs --packages FOLDER --descriptor FILE --page FOLDER [--tests FOLDER]
+//   node build.mjs --packages FOLDER --descriptor FILE --page FOLDER --status FOLDER
+//     [--tests FOLDER]
 //
 // packages: holds node_modules, which never lies in the source folder. descriptor: amalgam.proto's,
-// as `protoc --descriptor_set_out` writes it. page: what the server is to serve. tests: the tests
-// of tests/web, for `node --test`.
+// as `protoc --descriptor_set_out` writes it. page, status: what the server is to serve, at the web
+// port and at the admin port. tests: the tests of tests/web, for `node --test`.
 import { cpSync, mkdirSync, readdirSync } from "node:fs";
 import { createRequire } from "node:module";
 import { dirname, join, resolve } from "node:path";
@@ -19,6 +20,7 @@ const { values: options } = parseArgs({
     packages: { type: "string" },
     descriptor: { type: "string" },
     page: { type: "string" },
+    status: { type: "string" },
     tests: { type: "string" },
   },
 });
@@ -34,20 +36,29 @@ const common = {
   alias: {
     "amalgam.binpb": resolve(options.descriptor),
     "amalgam-page": join(here, "source"),
+    "amalgam-status": join(here, "status/source"),
   },
 };
 
-mkdirSync(options.page, { recursive: true });
-await build({
-  ...common,
-  entryPoints: [join(here, "source/main.js"), join(here, "source/worker.js")],
-  entryNames: "[name]",
-  outdir: options.page,
-  target: ["chrome107", "firefox110", "safari16.4"],
-  minify: true,
-  legalComments: "eof",
-});
-cpSync(join(here, "page"), options.page, { recursive: true });
+/** Bundles a page's sources and puts its other files beside them. */
+async function makePage(entries, files, outdir) {
+  mkdirSync(outdir, { recursive: true });
+  await build({
+    ...common,
+    entryPoints: entries.map((file) => join(here, file)),
+    entryNames: "[name]",
+    outdir,
+    target: ["chrome107", "firefox110", "safari16.4"],
+    minify: true,
+    legalComments: "eof",
+  });
+  cpSync(join(here, files), outdir, { recursive: true });
+  cpSync(join(here, "shared/icon.svg"), join(outdir, "icon.svg"));
+}
+
+const client = ["source/main.js", "source/worker.js", "source/style.css"];
+await makePage(client, "page", options.page);
+await makePage(["status/source/main.js", "status/source/style.css"], "status/page", options.status);
 
 if (options.tests) {
   const tests = readdirSync(testFolder, { recursive: true }).filter((f) => f.endsWith(".test.js"));

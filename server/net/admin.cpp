@@ -1,5 +1,8 @@
 #include "net/admin.h"
 
+#include <array>
+#include <boost/asio/buffer.hpp>
+#include <boost/asio/write.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/core/tcp_stream.hpp>
 #include <boost/beast/http.hpp>
@@ -15,34 +18,14 @@
 namespace amalgam::net {
 namespace {
 
+namespace asio = boost::asio;
 namespace beast = boost::beast;
 namespace http = beast::http;
 using boost::asio::ip::tcp;
 using boost::system::error_code;
-using Response = http::response<http::string_body>;
 
 constexpr std::uint32_t kMaxHeaderBytes = 8 * 1024;  // browsers stay below
 constexpr std::uint64_t kMaxBodyBytes = 1024;        // no page takes one
-
-struct Page {
-  http::status status;
-  const char* type;
-  std::string text;
-};
-
-Page page_for(const std::string& target, const AdminPages& pages) {
-  const std::string path = target.substr(0, target.find('?'));
-  if (path == "/livez" || path == "/readyz") {
-    const std::string reason = path == "/livez" ? pages.not_alive() : pages.not_ready();
-    if (reason.empty()) return {http::status::ok, "text/plain", "ok\n"};
-    return {http::status::service_unavailable, "text/plain", reason + "\n"};
-  }
-  if (path == "/metrics") {
-    return {http::status::ok, "text/plain; version=0.0.4; charset=utf-8", pages.metrics()};
-  }
-  if (path == "/state") return {http::status::ok, "application/json", pages.state() + "\n"};
-  return {http::status::not_found, "text/plain", "/livez /readyz /metrics /state\n"};
-}
 
 }  // namespace
 
@@ -78,20 +61,12 @@ class Admin::Connection : public std::enable_shared_from_this<Connection> {
   }
 
   void answer() {
-    const auto& request = parser_->get();
-    response_ = Response(http::status::ok, request.version());
-    response_.keep_alive(request.keep_alive());
-    if (request.method() == http::verb::get || request.method() == http::verb::head) {
-      Page page = page_for(std::string(request.target()), shared_->pages);
-      response_.result(page.status);
-      response_.set(http::field::content_type, page.type);
-      response_.body() = std::move(page.text);
-    } else {
-      response_.result(http::status::method_not_allowed);
-    }
-    response_.prepare_payload();
-    if (request.method() == http::verb::head) response_.body().clear();
-    http::async_write(stream_, response_,
+    stream_.expires_after(protocol::kAdminTimeout);  // for a picture over a slow line too
+    keep_alive_ = parser_->get().keep_alive();
+    answer_ = admin_answer(parser_->get(), shared_->pages);
+    const std::array<asio::const_buffer, 2> buffers{asio::buffer(answer_.head),
+                                                    asio::buffer(answer_.page.bytes())};
+    asio::async_write(stream_, buffers,
                       [self = shared_from_this()](const error_code& ec, std::size_t) {
                         self->guarded([&] { self->on_written(ec); });
                       });
@@ -109,7 +84,8 @@ class Admin::Connection : public std::enable_shared_from_this<Connection> {
 
   void on_written(const error_code& ec) {
     if (ec) return;
-    if (response_.keep_alive()) return read();
+    answer_ = WebAnswer();  // it may hold a picture
+    if (keep_alive_) return read();
     error_code ignored;
     stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);
   }
@@ -119,7 +95,8 @@ class Admin::Connection : public std::enable_shared_from_this<Connection> {
   std::optional<std::list<Connection*>::iterator> place_;
   beast::flat_buffer buffer_{kMaxHeaderBytes + kMaxBodyBytes};
   std::optional<http::request_parser<http::string_body>> parser_;
-  Response response_;
+  WebAnswer answer_;
+  bool keep_alive_ = false;
 };
 
 Admin::Admin(boost::asio::io_context& io, const common::HostPort& address,

@@ -1,27 +1,18 @@
-// The admin port: an HTTP server with /livez, /readyz, /metrics and /state. Runs on the network
-// thread, so that an answer proves that this thread is alive. When all places are taken, the oldest
-// connection makes room for a new one, so that slow ones lock nobody out.
+// The admin port: an HTTP server for operators and their monitoring (admin_pages.h says with what).
+// Runs on the network thread, so that an answer proves that this thread is alive. When all places
+// are taken, the oldest connection makes room for a new one, so that slow ones lock nobody out.
 #pragma once
 
 #include <boost/asio/io_context.hpp>
 #include <cstddef>
-#include <functional>
 #include <list>
 #include <memory>
-#include <string>
 
 #include "net/accept_loop.h"
+#include "net/admin_pages.h"
 #include "net/server_config.h"
 
 namespace amalgam::net {
-
-// The pages' contents; called for each request.
-struct AdminPages {
-  std::function<std::string()> not_alive;  // why; empty: the renderer makes progress
-  std::function<std::string()> not_ready;  // why; empty: ready
-  std::function<std::string()> metrics;    // Prometheus' text format
-  std::function<std::string()> state;      // JSON
-};
 
 class Admin {
  public:

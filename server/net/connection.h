@@ -47,6 +47,8 @@ class Connection : public std::enable_shared_from_this<Connection>, private Line
   // Ends at once.
   void end();
   SessionReport report() const;
+  std::shared_ptr<const frame::Bytes> picture() const { return conversation_.picture(); }
+  void forget_picture() { conversation_.forget_picture(); }
 
  private:
   using Clock = std::chrono::steady_clock;

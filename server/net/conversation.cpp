@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "common/log.h"
+#include "net/quietly.h"
 #include "net/wire.h"
 #include "protocol/limits.h"
 
@@ -93,6 +94,7 @@ void Conversation::refuse_poses(std::uint64_t frame_id, std::size_t message_byte
   }
   ledger_.receive(message_bytes);
   recording_.received_refused_frame();
+  figures_.received(Clock::now());
   if (state_ == State::Draining) return ledger_.skip(Skip::Draining);
   ledger_.skip(Skip::Refused);
   throw ClientError(
@@ -106,6 +108,7 @@ void Conversation::on_camera_frame(const protocol::CameraFrame& frame) {
   entry.ticket = ledger_.receive(frame.ByteSizeLong());
   entry.frame_id = frame.frame_id();
   entry.arrival = Clock::now();
+  figures_.received(entry.arrival);
   if (state_ == State::Draining) return ledger_.skip(Skip::Draining);
   const CaptureClock::Judged capture = capture_clock_.judge(frame.capture_time_us(), entry.arrival);
   if (capture.clamped) context_.metrics.capture_time_clamped();
@@ -240,6 +243,8 @@ void Conversation::on_environment_applied(std::optional<std::string> error) {
 void Conversation::send_composite(FrameLedger::Entry frame, frame::FrameOutput output) {
   const std::chrono::duration<double, std::milli> server_time = Clock::now() - frame.arrival;
   context_.metrics.frame_rendered(output, server_time.count());
+  figures_.rendered(output, server_time.count());
+  if (context_.config.admin_pictures) keep_picture(output.jpeg);
   Answer answer{std::move(frame), std::move(output), server_time.count()};
   if (recording_.is_on()) {
     protocol::Envelope message = composite_message(answer, skipped());
@@ -255,6 +260,17 @@ void Conversation::writing(const Envelope& ping) {
 
 void Conversation::not_said() const {
   common::log_debug(name() + ": an answer was dropped");
+}
+
+// A copy: the composite itself becomes part of a message. A picture to look at is worth no session.
+void Conversation::keep_picture(const frame::Bytes& jpeg) {
+  picture_.reset();
+  quietly([&] { picture_ = std::make_shared<const frame::Bytes>(jpeg); });
+}
+
+void Conversation::written(std::size_t message_bytes) {
+  ledger_.sent(message_bytes);
+  figures_.sent(Clock::now());
 }
 
 // --- errors and ends ---
@@ -276,6 +292,7 @@ void Conversation::drain(std::chrono::milliseconds deadline) {
 
 void Conversation::leave() {
   const State before = std::exchange(state_, State::Over);
+  forget_picture();
   recording_.end(record::Fate::Closed);
   if (before == State::Running || before == State::Draining) context_.admission.leave(camera_);
   if (!view_) return;
@@ -295,15 +312,24 @@ SessionReport Conversation::report() const {
   report.id = id_;
   report.peer = peer_;
   report.state = kNames[static_cast<int>(state_)];
+  const auto now = Clock::now();
+  report.age = std::chrono::duration_cast<std::chrono::seconds>(now - begun_);
   report.width = camera_.width;
   report.height = camera_.height;
   report.received = ledger_.received_count();
   report.sent = ledger_.sent_count();
   report.skipped = ledger_.skipped_count();
   report.in_flight = ledger_.in_flight();
+  for (const Skip reason : kSkips) {
+    report.skipped_by[static_cast<std::size_t>(reason)] = ledger_.skipped_count(reason);
+  }
+  report.bytes_received = ledger_.bytes_received();
+  report.bytes_sent = ledger_.bytes_sent();
+  figures_.fill(report, now);
   report.own_environment = own_light_.exists();
   report.record = record::to_string(recording_.fate());
   report.record_bytes = recording_.bytes();
+  report.picture = picture_ != nullptr;
   return report;
 }
 

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +24,7 @@
 #include "net/own_light.h"
 #include "net/pose_hold.h"
 #include "net/server_config.h"
+#include "net/session_figures.h"
 #include "net/session_report.h"
 #include "record/recorder.h"
 #include "record/session_recording.h"
@@ -89,13 +91,16 @@ class Conversation {
 
   // What became of an Answer: its writing begins, with a ping behind it.
   void writing(const protocol::Envelope& ping);
-  void written(std::size_t message_bytes) { ledger_.sent(message_bytes); }
+  void written(std::size_t message_bytes);
   void dropped() { ledger_.skip(Skip::Closed); }
 
   void set_peer(std::string peer) { peer_ = std::move(peer); }
   std::uint64_t skipped() const { return ledger_.skipped_count(); }
   std::string name() const;  // for logs
   SessionReport report() const;
+  // The last composite, if the operator wants to see them; null: there is none.
+  std::shared_ptr<const frame::Bytes> picture() const { return picture_; }
+  void forget_picture() { picture_.reset(); }
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -116,6 +121,7 @@ class Conversation {
   void on_rendered(std::uint64_t ticket, frame::FrameResult result);
   void send_composite(FrameLedger::Entry frame, frame::FrameOutput output);
   ClientError told_of(const frame::FrameFailure& failure, std::uint64_t frame_id) const;
+  void keep_picture(const frame::Bytes& jpeg);
 
   std::uint64_t id_;
   std::string peer_;
@@ -134,6 +140,9 @@ class Conversation {
   common::RateLimit environment_rate_;
   FrameLedger ledger_;
   record::SessionRecording recording_;
+  Clock::time_point begun_ = Clock::now();
+  SessionFigures figures_;
+  std::shared_ptr<const frame::Bytes> picture_;
 };
 
 }  // namespace amalgam::net

@@ -7,6 +7,7 @@ namespace amalgam::net {
 
 std::uint64_t FrameLedger::receive(std::size_t message_bytes) {
   metrics_.frame_received(message_bytes);
+  bytes_received_ += message_bytes;
   return ++received_;
 }
 
@@ -30,11 +31,13 @@ std::optional<FrameLedger::Entry> FrameLedger::deliver(std::uint64_t ticket) {
 
 void FrameLedger::sent(std::size_t message_bytes) {
   ++sent_;
+  bytes_sent_ += message_bytes;
   metrics_.composite_sent(message_bytes);
 }
 
 void FrameLedger::skip(Skip reason, std::size_t count) {
   skipped_ += count;
+  skipped_by_[static_cast<std::size_t>(reason)] += count;
   metrics_.frame_skipped(reason, count);
 }
 

@@ -2,6 +2,7 @@
 // skipped with a reason.
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -41,11 +42,18 @@ class FrameLedger {
   std::uint64_t received_count() const { return received_; }
   std::uint64_t sent_count() const { return sent_; }
   std::uint64_t skipped_count() const { return skipped_; }
+  std::uint64_t skipped_count(Skip reason) const {
+    return skipped_by_[static_cast<std::size_t>(reason)];
+  }
+  std::uint64_t bytes_received() const { return bytes_received_; }
+  std::uint64_t bytes_sent() const { return bytes_sent_; }
 
  private:
   Metrics& metrics_;
   std::deque<Entry> entries_;  // one being rendered, one waiting, and results not yet delivered
   std::uint64_t received_ = 0, sent_ = 0, skipped_ = 0;
+  std::array<std::uint64_t, kSkips.size()> skipped_by_{};
+  std::uint64_t bytes_received_ = 0, bytes_sent_ = 0;  // of messages
 };
 
 }  // namespace amalgam::net

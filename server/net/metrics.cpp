@@ -54,6 +54,8 @@ void rise_to(Counter& counter, double value) {
   if (value > counter.Value()) counter.Increment(value - counter.Value());
 }
 
+}  // namespace
+
 const char* to_string(Skip reason) {
   switch (reason) {
     case Skip::ReplacedBeforeRender:
@@ -69,8 +71,6 @@ const char* to_string(Skip reason) {
   }
   return "";
 }
-
-}  // namespace
 
 struct Metrics::Families {
   prometheus::Registry registry;
@@ -159,10 +159,7 @@ struct Metrics::Families {
 
 Metrics::Metrics() : families_(std::make_unique<Families>()) {
   // Counters that are there from the start, at 0, can be watched for their first increment.
-  for (const Skip reason : {Skip::ReplacedBeforeRender, Skip::ReplacedBeforeWrite, Skip::Refused,
-                            Skip::Draining, Skip::Closed}) {
-    families_->skipped.Add({{"reason", to_string(reason)}});
-  }
+  for (const Skip reason : kSkips) families_->skipped.Add({{"reason", to_string(reason)}});
   using protocol::Error;
   for (int code = Error::Code_MIN + 1; code <= Error::Code_MAX; ++code) {
     families_->errors.Add({{"code", Error::Code_Name(static_cast<Error::Code>(code))}});

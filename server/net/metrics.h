@@ -1,6 +1,7 @@
 // The server's metrics, for Prometheus. May be used from any thread.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -19,6 +20,9 @@ enum class Skip {
   Draining,
   Closed,  // the session ended first
 };
+inline constexpr std::array kSkips{Skip::ReplacedBeforeRender, Skip::ReplacedBeforeWrite,
+                                   Skip::Refused, Skip::Draining, Skip::Closed};
+const char* to_string(Skip reason);  // as a label
 
 // What became of an environment that a client sent.
 enum class EnvironmentFate { Applied, Replaced, Unusable, Forbidden, TooOften, NoMemory };

@@ -37,6 +37,10 @@ ProcessFigures read_process_figures() {
     figures.resident_bytes = resident_pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
   }
   figures.open_descriptors = count_descriptors();
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_NOFILE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) {
+    figures.most_descriptors = limit.rlim_cur;
+  }
   return figures;
 }
 

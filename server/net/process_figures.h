@@ -1,4 +1,4 @@
-// What the operating system says of this process, for metrics.
+// What the operating system says of this process, for metrics and for the /state page.
 #pragma once
 
 #include <cstdint>
@@ -9,6 +9,7 @@ struct ProcessFigures {
   double cpu_seconds = 0.0;  // user and system, so far
   std::uint64_t resident_bytes = 0;
   std::uint64_t open_descriptors = 0;
+  std::uint64_t most_descriptors = 0;  // that it may open; 0: as many as it likes
 };
 
 // 0 for what cannot be read.

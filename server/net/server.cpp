@@ -12,10 +12,12 @@
 #include <vector>
 
 #include "common/log.h"
+#include "core/cpu_count.h"
 #include "net/admin.h"
 #include "net/agent_check.h"
 #include "net/connection.h"
 #include "net/connection_limits.h"
+#include "net/limits_in_use.h"
 #include "net/listener.h"
 #include "net/memory_trim.h"
 #include "net/metrics.h"
@@ -30,11 +32,8 @@
 #include "protocol/framing.h"
 
 namespace amalgam::net {
-namespace {
 
 namespace asio = boost::asio;
-
-}  // namespace
 
 class Server::Impl {
  public:
@@ -48,7 +47,9 @@ class Server::Impl {
                {.not_alive = [this] { return status_.not_alive(); },
                 .not_ready = [this] { return status_.not_ready(phase_); },
                 .metrics = [this] { return metrics_.text(status_.gauges()); },
-                .state = [this] { return state(); }}),
+                .state = [this] { return state(); },
+                .picture = [this](std::uint64_t session) { return picture(session); },
+                .files = config.status_files}),
         listener_(
             io_, config.listen, config_, limits_, back_off_, metrics_,
             [](std::chrono::milliseconds retry_after, const std::string& reason) {
@@ -121,6 +122,8 @@ class Server::Impl {
     admission_.set_limits(config.admission);
     recorder_.reloaded(config.record);
     admin_.set_max_connections(config.connections.admin);
+    if (config.admin_pictures) return;
+    for (const auto& [id, session] : sessions_) session->forget_picture();
   }
 
   void reload_ended(const std::optional<std::string>& error) {
@@ -272,6 +275,14 @@ class Server::Impl {
     std::vector<SessionReport> sessions;
     for (const auto& [id, session] : sessions_) sessions.push_back(session->report());
     return status_.state(phase_, std::move(sessions));
+  }
+
+  Picture picture(std::uint64_t session) const {
+    if (!config_.admin_pictures) return "no pictures are kept: that takes --admin-pictures";
+    const auto found = sessions_.find(session);
+    auto picture = found == sessions_.end() ? nullptr : found->second->picture();
+    if (picture) return picture;
+    return "session " + std::to_string(session) + " is not there, or without a composite";
   }
 
   // In the order of dependence: what is destroyed first may still use what stands above it.

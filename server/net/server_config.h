@@ -61,6 +61,8 @@ struct WebOptions {
 struct ServerConfig {
   common::HostPort listen{"127.0.0.1", 7447};
   common::HostPort admin{"127.0.0.1", 7448};
+  std::span<const web::WebFile> status_files;  // of the page for operators, at the admin port
+  bool admin_pictures = false;  // sessions' last composites are kept, for whoever reaches it
   std::optional<common::HostPort> agent;  // where a load balancer asks for the free capacity
   std::optional<common::HostPort> web;    // where browsers connect
   WebOptions web_options;

@@ -5,6 +5,7 @@
 
 #include "common/log.h"
 #include "net/agent_check.h"
+#include "net/limits_in_use.h"
 #include "net/state_page.h"
 
 namespace amalgam::net {
@@ -60,9 +61,14 @@ Gauges Status::gauges() const {
 std::string Status::state(Phase phase, std::vector<SessionReport> sessions) const {
   ServerReport report;
   report.not_ready = not_ready(phase);
+  report.not_alive = not_alive();
   report.ray_tracer = config_.ray_tracer;
   report.uptime = std::chrono::duration_cast<std::chrono::seconds>(Clock::now() - started_);
+  report.cores = cores_;
+  report.admin_pictures = config_.admin_pictures;
   report.connections = limits_.total();
+  report.load = load();
+  report.limits = limits_in_use(config_, limits_, admission_, report.load);
   report.records = recorder_.report();
   report.sessions = std::move(sessions);
   return state_json(report);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/cpu_count.h"
 #include "frame/frame.h"
 #include "net/admission.h"
 #include "net/connection_limits.h"
@@ -49,6 +50,7 @@ class Status {
   const record::Recorder& recorder_;
   const frame::FrameService* service_ = nullptr;
   Clock::time_point started_ = Clock::now();
+  int cores_ = core::usable_cpus();
 };
 
 }  // namespace amalgam::net

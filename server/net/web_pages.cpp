@@ -107,7 +107,7 @@ std::optional<WebPage> find_web_page(std::span<const web::WebFile> files, const 
     return entry.path == std::string_view(whole).substr(1);
   });
   if (file == files.end()) return std::nullopt;
-  return WebPage{file->content_type, tag_of(file->bytes), {}, file->bytes};
+  return WebPage{file->content_type, std::string(file->tag), {}, file->bytes};
 }
 
 }  // namespace amalgam::net

@@ -1,6 +1,7 @@
-// The files of the browser's page: embedded ones, or those of a folder for whoever works on them.
+// The files of a page for browsers: embedded ones, or those of a folder for whoever works on them.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,8 +14,9 @@ namespace amalgam::net {
 struct WebPage {
   std::string_view content_type;
   std::string tag;         // changes with the bytes
-  std::string own;         // bytes from a folder
-  std::string_view fixed;  // embedded bytes, which outlive everything
+  std::string own;         // bytes made for this answer
+  std::string_view fixed;  // embedded bytes, which outlive everything, or those that kept holds
+  std::shared_ptr<const void> kept{};
 
   std::string_view bytes() const { return fixed.data() ? fixed : std::string_view(own); }
 };

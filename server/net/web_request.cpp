@@ -4,9 +4,8 @@
 #include <boost/beast/core/string.hpp>
 #include <boost/beast/http/field.hpp>
 #include <boost/beast/http/verb.hpp>
-#include <boost/beast/http/write.hpp>
 #include <boost/beast/websocket/rfc6455.hpp>
-#include <sstream>
+#include <optional>
 #include <utility>
 
 namespace amalgam::net {
@@ -14,7 +13,6 @@ namespace {
 
 namespace beast = boost::beast;
 namespace http = beast::http;
-using Head = http::response<http::empty_body>;
 
 // The page has scripts, styles and workers of its own, WebAssembly for finding markers, pictures
 // that it makes itself, and talks to the server that it comes from. Nothing may show it in a frame.
@@ -23,40 +21,23 @@ constexpr const char* kContentSecurityPolicy =
     "img-src 'self' blob: data:; connect-src 'self' ws: wss:; media-src 'self' blob:; "
     "base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
-constexpr std::string_view kText = "text/plain; charset=utf-8";
-
 // One request a connection: places are few, and a browser keeps its connections for minutes.
-WebAnswer answer(Head head, WebPage page, bool with_bytes) {
-  head.set("Content-Security-Policy", kContentSecurityPolicy);
-  head.set("X-Content-Type-Options", "nosniff");
-  head.set("Referrer-Policy", "no-referrer");
+WebHead head_of(http::status status) {
+  WebHead head(status, 11);
   head.set(http::field::connection, "close");
-  if (head.result() != http::status::not_modified) {
-    head.set(http::field::content_type,
-             beast::string_view(page.content_type.data(), page.content_type.size()));
-    head.content_length(page.bytes().size());
-  }
-  if (!with_bytes) page = WebPage();
-  std::ostringstream text;
-  text << head.base();
-  return {text.str(), std::move(page)};
-}
-
-WebPage text_page(const std::string& line) {
-  return {kText, "", line + "\n", {}};
+  return head;
 }
 
 WebAnswer refusal(http::status status, const std::string& line,
                   std::initializer_list<std::pair<http::field, const char*>> fields = {}) {
-  Head head(status, 11);
+  WebHead head = head_of(status);
   for (const auto& [field, value] : fields) head.set(field, value);
   head.set(http::field::cache_control, "no-store");
-  return answer(std::move(head), text_page(line), true);
+  return web_answer(std::move(head), text_page(line + "\n"), kContentSecurityPolicy, true);
 }
 
 WebAnswer page_answer(const WebRequest& request, const WebOptions& options, std::string_view path) {
-  const bool get = request.method() == http::verb::get;
-  if (!get && request.method() != http::verb::head) {
+  if (request.method() != http::verb::get && request.method() != http::verb::head) {
     return refusal(http::status::method_not_allowed, "GET and HEAD only",
                    {{http::field::allow, "GET, HEAD"}});
   }
@@ -66,21 +47,13 @@ WebAnswer page_answer(const WebRequest& request, const WebOptions& options, std:
     return refusal(http::status::not_found,
                    no_page ? "This server was built without the page." : "there is no such file");
   }
-  Head head(http::status::ok, 11);
-  // Asked for again each time, but sent again only if it has changed.
-  head.set(http::field::cache_control, "no-cache");
-  head.set(http::field::etag, page->tag);
-  const bool known = request[http::field::if_none_match] == page->tag;
-  if (known) head.result(http::status::not_modified);
-  return answer(std::move(head), std::move(*page), get && !known);
+  return file_answer(head_of(http::status::ok), std::move(*page), kContentSecurityPolicy, request);
 }
 
 }  // namespace
 
 std::variant<Upgrade, WebAnswer> judge(const WebRequest& request, const WebOptions& options) {
-  const beast::string_view target = request.target();
-  const std::string_view whole(target.data(), target.size());
-  const std::string_view path = whole.substr(0, whole.find('?'));
+  const std::string_view path = path_of(request);
   if (path != kSessionPath) return page_answer(request, options, path);
   if (!beast::websocket::is_upgrade(request)) {
     return refusal(http::status::upgrade_required, "sessions are held over WebSocket",

@@ -7,9 +7,10 @@
 #include <chrono>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "net/server_config.h"
-#include "net/web_pages.h"
+#include "net/web_answer.h"
 
 namespace amalgam::net {
 
@@ -19,10 +20,6 @@ using WebRequest = boost::beast::http::request<boost::beast::http::empty_body>;
 inline constexpr std::string_view kSessionPath = "/session";
 
 struct Upgrade {};
-struct WebAnswer {
-  std::string head;  // up to and with the empty line
-  WebPage page;      // its bytes follow
-};
 
 std::variant<Upgrade, WebAnswer> judge(const WebRequest& request, const WebOptions& options);
 

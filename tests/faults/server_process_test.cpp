@@ -196,13 +196,16 @@ TEST_F(ServerProgram, SighupReloadsOrKeepsTheOld) {
   server.signal(SIGHUP);
   EXPECT_TRUE(reloads("kept_the_old", 2));
   EXPECT_EQ(world_marker(server.address()), marker);
-  write("server.toml", "max-per-address = 1\n");
+  const auto state = [&] { return http_get(server.admin_address(), "/state").body; };
+  EXPECT_THAT(state(), HasSubstr("\"admin_pictures\": false"));
+  write("server.toml", "max-per-address = 1\nadmin-pictures = true\n");
   const auto begin = std::chrono::steady_clock::now();
   server.signal(SIGHUP);
   EXPECT_TRUE(reloads("done", 1));
   print_figure("b", "SIGHUP took over scene and limits after",
                std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(), "s",
                "at a frame boundary");
+  EXPECT_THAT(state(), HasSubstr("\"admin_pictures\": true"));
   // The session that was open goes on, and the new limit holds for others.
   Envelope ping;
   ping.mutable_ping()->set_nonce(5);
@@ -226,6 +229,7 @@ TEST_F(ServerProgram, WhatCannotBeMeantIsRefusedInOneLine) {
   EXPECT_THAT(refusal({"--token-file", open_file}), HasSubstr("everybody"));
   EXPECT_THAT(refusal({"--threads", "x"}), HasSubstr("--threads"));
   EXPECT_THAT(refusal({"--listen", "0.0.0.0:0"}), HasSubstr("--insecure"));
+  EXPECT_THAT(refusal({"--admin-pictures", "--admin", "0.0.0.0:0"}), HasSubstr("pictures"));
   EXPECT_THAT(refusal({"--tls-certificate", "/nonexistent.crt"}), HasSubstr("certificate"));
   EXPECT_THAT(refusal({"--environment-from", "somebody"}), HasSubstr("environment-from"));
 }

@@ -17,8 +17,8 @@ using testing::HasSubstr;
 using Clock = std::chrono::steady_clock;
 
 const std::string kLarge(3'000'000, 'w');
-const std::array<web::WebFile, 2> kFiles{
-    {{"index.html", "text/html", "<p>"}, {"large.wasm", "application/wasm", kLarge}}};
+const std::array<web::WebFile, 2> kFiles{{{"index.html", "text/html", "<p>", "\"1\""},
+                                          {"large.wasm", "application/wasm", kLarge, "\"2\""}}};
 
 net::ServerConfig with_page() {
   net::ServerConfig config = test_config();

@@ -124,6 +124,29 @@ TEST_F(ConversationTest, AFrameGoesToTheRendererAndBack) {
   EXPECT_EQ(composite.composite().poses_size(), 1);
 }
 
+TEST_F(ConversationTest, NoPictureIsKeptUnlessItIsWanted) {
+  hear(test::hello_message());
+  hear(test::frame_message(1));
+  ASSERT_TRUE(line_.run_one());
+  EXPECT_FALSE(conversation_.picture());
+}
+
+TEST_F(ConversationTest, OnePictureIsKeptUntilTheSessionEnds) {
+  config_.admin_pictures = true;
+  hear(test::hello_message());
+  std::weak_ptr<const frame::Bytes> before;
+  for (const char* jpeg : {"one", "other"}) {
+    hear(test::frame_message(1, jpeg));
+    ASSERT_TRUE(line_.run_one());
+    EXPECT_TRUE(before.expired());
+    before = conversation_.picture();
+    ASSERT_FALSE(before.expired());
+    EXPECT_EQ(before.lock()->size(), std::string(jpeg).size());
+  }
+  conversation_.leave();
+  EXPECT_TRUE(before.expired());
+}
+
 TEST_F(ConversationTest, PosesOfCornersAreSolvedAndEchoed) {
   hear(test::hello_message());
   Envelope frame = test::frame_message(41);

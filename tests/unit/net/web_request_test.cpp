@@ -16,7 +16,7 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-constexpr std::array<web::WebFile, 1> kFiles{{{"index.html", "text/html", "<p>"}}};
+constexpr std::array<web::WebFile, 1> kFiles{{{"index.html", "text/html", "<p>", "\"7\""}}};
 
 WebOptions options(std::vector<std::string> origins = {}) {
   WebOptions options;

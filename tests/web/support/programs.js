@@ -11,18 +11,19 @@ const program = (name) => join(buildFolder(), "bin", name);
 
 export class Server {
   #process;
-  /** host:port for native clients, and of the page. */
+  /** host:port for native clients, of the page, and of the status page. */
   address = "";
   web = "";
+  admin = "";
 
-  /** @returns {Promise<Server>} that listens, with a web port of its own or the one given */
-  static async start(scene, { webPort = 0, options = [] } = {}) {
+  /** @returns {Promise<Server>} that listens, with ports of its own or those given */
+  static async start(scene, { webPort = 0, adminPort = 0, options = [] } = {}) {
     const server = new Server();
     const places = [
       "--listen",
       "127.0.0.1:0",
       "--admin",
-      "127.0.0.1:0",
+      `127.0.0.1:${adminPort}`,
       "--web",
       `127.0.0.1:${webPort}`,
     ];
@@ -35,19 +36,47 @@ export class Server {
       if (!address) continue;
       server.address = address;
       server.web = / web (\S+)/.exec(line)[1];
+      server.admin = / admin (\S+)/.exec(line)[1];
       return server;
     }
     throw new Error("amalgam-server ended before it listened");
   }
 
   get webPort() {
-    return Number(this.web.split(":").at(-1));
+    return portOf(this.web);
+  }
+  get adminPort() {
+    return portOf(this.admin);
   }
 
-  async stop() {
-    if (this.#process.exitCode !== null) return;
-    this.#process.kill("SIGTERM");
-    await once(this.#process, "exit");
+  stop() {
+    return end(this.#process, "SIGTERM");
+  }
+  /** It has no time to say anything. */
+  kill() {
+    return end(this.#process, "SIGKILL");
+  }
+}
+
+const portOf = (address) => Number(address.split(":").at(-1));
+
+async function end(child, signal) {
+  if (child.exitCode !== null || child.signalCode !== null) return;
+  child.kill(signal);
+  await once(child, "exit");
+}
+
+/** Clients of amalgam-load, until they are stopped. */
+export class Load {
+  #process;
+
+  constructor(address, options) {
+    const all = ["--server", address, "--duration", "600", ...options];
+    this.#process = spawn(program("amalgam-load"), all, { stdio: "ignore" });
+  }
+
+  stop() {
+    return end(this.#process, "SIGTERM");
   }
 }
 
