@@ -18,6 +18,7 @@
 #include "net/connection.h"
 #include "net/connection_limits.h"
 #include "net/listener.h"
+#include "net/made_files.h"
 #include "net/memory_trim.h"
 #include "net/metrics.h"
 #include "net/quietly.h"
@@ -118,6 +119,7 @@ class Server::Impl {
     limits_.set_caps(config.connections);
     admission_.set_limits(config.admission);
     admin_.set_max_connections(config.connections.admin);
+    made_.forget();
   }
 
   void reload_ended(const std::optional<std::string>& error) {
@@ -153,7 +155,7 @@ class Server::Impl {
     web_.emplace(io_, address, config_, limits_, back_off_, metrics_, busy_answer,
                  [this](Listener::Admitted admitted) {
                    auto transport = std::make_unique<WebTransport>(std::move(admitted.socket), tls_,
-                                                                   config_.web_options);
+                                                                   config_.web_options, made_);
                    admit(std::move(admitted), std::move(transport));
                  });
   }
@@ -340,6 +342,7 @@ class Server::Impl {
   std::function<void()> reload_;
   MemoryTrim memory_trim_;
   asio::io_context io_{1};  // one thread: no locks on sockets
+  MadeFiles made_{io_, [this] { return context_->service.markers(); }};
   std::map<std::uint64_t, std::shared_ptr<Connection>> sessions_;
   Admin admin_;
   std::optional<AgentCheck> agent_;

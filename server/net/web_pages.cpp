@@ -101,6 +101,12 @@ std::optional<std::string> read_below(const std::string& folder,
 
 }  // namespace
 
+WebPage made_page(std::string_view path, std::string bytes) {
+  WebPage page{web::content_type(path), tag_of(bytes), {}, {}};
+  page.shared = std::make_shared<const std::string>(std::move(bytes));
+  return page;
+}
+
 std::optional<WebPage> find_web_page(std::span<const web::WebFile> files, const std::string& folder,
                                      std::string_view path) {
   const std::string whole = path == "/" ? '/' + std::string(kIndex) : std::string(path);

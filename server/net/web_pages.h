@@ -1,6 +1,7 @@
 // The files of the browser's page: embedded ones, or those of a folder for whoever works on them.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,12 +13,19 @@ namespace amalgam::net {
 
 struct WebPage {
   std::string_view content_type;
-  std::string tag;         // changes with the bytes
-  std::string own;         // bytes from a folder
-  std::string_view fixed;  // embedded bytes, which outlive everything
+  std::string tag;                              // changes with the bytes
+  std::string own;                              // bytes from a folder
+  std::string_view fixed;                       // embedded bytes, which outlive everything
+  std::shared_ptr<const std::string> shared{};  // bytes that were made, for whoever asks
 
-  std::string_view bytes() const { return fixed.data() ? fixed : std::string_view(own); }
+  std::string_view bytes() const {
+    if (shared) return *shared;
+    return fixed.data() ? fixed : std::string_view(own);
+  }
 };
+
+// A page of bytes that were made. path: says by its end what they are.
+WebPage made_page(std::string_view path, std::string bytes);
 
 // folder: empty, or where files are read anew for each request instead of looked up in `files`.
 // Nothing if there is no such file. path: as in a request, "/" for the page itself.

@@ -54,42 +54,67 @@ WebAnswer refusal(http::status status, const std::string& line,
   return answer(std::move(head), text_page(line), true);
 }
 
-WebAnswer page_answer(const WebRequest& request, const WebOptions& options, std::string_view path) {
-  const bool get = request.method() == http::verb::get;
-  if (!get && request.method() != http::verb::head) {
-    return refusal(http::status::method_not_allowed, "GET and HEAD only",
-                   {{http::field::allow, "GET, HEAD"}});
-  }
-  std::optional<WebPage> page = find_web_page(options.files, options.folder, path);
-  if (!page) {
-    const bool no_page = path == "/" && options.files.empty() && options.folder.empty();
-    return refusal(http::status::not_found,
-                   no_page ? "This server was built without the page." : "there is no such file");
-  }
+// Of a file that there is.
+WebAnswer file_answer(const WebRequest& request, WebPage page) {
   Head head(http::status::ok, 11);
   // Asked for again each time, but sent again only if it has changed.
   head.set(http::field::cache_control, "no-cache");
-  head.set(http::field::etag, page->tag);
-  const bool known = request[http::field::if_none_match] == page->tag;
+  head.set(http::field::etag, page.tag);
+  const bool known = request[http::field::if_none_match] == page.tag;
   if (known) head.result(http::status::not_modified);
-  return answer(std::move(head), std::move(*page), get && !known);
+  return answer(std::move(head), std::move(page), request.method() == http::verb::get && !known);
+}
+
+WebAnswer page_answer(const WebRequest& request, const WebOptions& options, std::string_view path) {
+  std::optional<WebPage> page = find_web_page(options.files, options.folder, path);
+  if (page) return file_answer(request, std::move(*page));
+  const bool no_page = path == "/" && options.files.empty() && options.folder.empty();
+  return refusal(http::status::not_found,
+                 no_page ? "This server was built without the page." : "there is no such file");
+}
+
+// What may be asked for instead; empty if nothing of the path is made.
+std::string choices(const WebOptions& options, const std::string& path) {
+  std::string text;
+  for (const auto& [target, make] : options.made) {
+    if (target.starts_with(path + '?')) text += (text.empty() ? "" : " or ") + target;
+  }
+  return text;
 }
 
 }  // namespace
 
-std::variant<Upgrade, WebAnswer> judge(const WebRequest& request, const WebOptions& options) {
+std::variant<Upgrade, WebAnswer, MadeFile> judge(const WebRequest& request,
+                                                 const WebOptions& options) {
   const beast::string_view target = request.target();
   const std::string_view whole(target.data(), target.size());
   const std::string_view path = whole.substr(0, whole.find('?'));
-  if (path != kSessionPath) return page_answer(request, options, path);
-  if (!beast::websocket::is_upgrade(request)) {
-    return refusal(http::status::upgrade_required, "sessions are held over WebSocket",
-                   {{http::field::upgrade, "websocket"}});
+  if (path == kSessionPath) {
+    if (!beast::websocket::is_upgrade(request)) {
+      return refusal(http::status::upgrade_required, "sessions are held over WebSocket",
+                     {{http::field::upgrade, "websocket"}});
+    }
+    if (!is_welcome(request, options.origins)) {
+      return refusal(http::status::forbidden, "pages from there may not open sessions here");
+    }
+    return Upgrade{};
   }
-  if (!is_welcome(request, options.origins)) {
-    return refusal(http::status::forbidden, "pages from there may not open sessions here");
+  if (request.method() != http::verb::get && request.method() != http::verb::head) {
+    return refusal(http::status::method_not_allowed, "GET and HEAD only",
+                   {{http::field::allow, "GET, HEAD"}});
   }
-  return Upgrade{};
+  if (options.made.contains(whole)) return MadeFile{std::string(whole)};
+  if (const std::string known = choices(options, std::string(path)); !known.empty()) {
+    return refusal(http::status::not_found, "there is " + known);
+  }
+  return page_answer(request, options, path);
+}
+
+WebAnswer answer_with(const WebRequest& request, const MadeFiles::Result& made) {
+  if (const auto* missing = std::get_if<MadeFiles::Missing>(&made)) {
+    return refusal(http::status::not_found, missing->why);
+  }
+  return file_answer(request, std::get<WebPage>(made));
 }
 
 WebAnswer answer_to_garbage(bool too_long, const std::string& defect) {

@@ -1,4 +1,4 @@
-#include "client/tools/marker/marker_sheet.h"
+#include "sheet/marker_sheet.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "client/tracking/marker_dictionary.h"
+#include "tracking/marker_dictionary.h"
 
-namespace amalgam::tools {
+namespace amalgam::sheet {
 namespace {
 
 constexpr double kPageMargin = 10.0;  // mm: what printers leave white
@@ -66,8 +66,21 @@ MarkerSheet blank_sheet(const SheetOptions& options) {
 
 }  // namespace
 
+void set_paper(SheetOptions& options, std::string_view name) {
+  if (name == "a4") {
+    options.page_width = 210.0;
+    options.page_height = 297.0;
+  } else if (name == "letter") {
+    options.page_width = 215.9;
+    options.page_height = 279.4;
+  } else {
+    throw std::runtime_error("paper is a4 or letter, not '" + std::string(name) + "'");
+  }
+}
+
 MarkerSheet lay_out_markers(const SheetOptions& options) {
-  const auto known = client::find_dictionary(options.dictionary);
+  if (options.ids.empty()) throw std::runtime_error("there are no markers to print");
+  const auto known = tracking::find_dictionary(options.dictionary);
   const double side = 1000.0 * options.length;
   if (!(side > 0.0)) throw std::runtime_error("a marker's length must be above 0 m");
   const double margin = 2.0 * side / (known->markerSize + 2);
@@ -103,7 +116,7 @@ MarkerSheet lay_out_markers(const SheetOptions& options) {
   return sheet;
 }
 
-MarkerSheet lay_out_charuco(const SheetOptions& options, const client::RegularBoard& board) {
+MarkerSheet lay_out_charuco(const SheetOptions& options, const tracking::RegularBoard& board) {
   const double square = 1000.0 * board.first_length, marker = 1000.0 * board.second_length;
   const double width = board.columns * square, height = board.rows * square;
   SheetOptions page = options;
@@ -121,7 +134,7 @@ MarkerSheet lay_out_charuco(const SheetOptions& options, const client::RegularBo
   MarkerSheet sheet = blank_sheet(page);
   SheetPage& only = sheet.pages.front();
   const double left = 0.5 * (sheet.width - width), top = kPageMargin + kCaption;
-  const auto known = client::find_dictionary(options.dictionary);
+  const auto known = tracking::find_dictionary(options.dictionary);
   int id = board.first_id;
   for (int row = 0; row < board.rows; ++row) {
     for (int column = 0; column < board.columns; ++column) {
@@ -138,4 +151,4 @@ MarkerSheet lay_out_charuco(const SheetOptions& options, const client::RegularBo
   return sheet;
 }
 
-}  // namespace amalgam::tools
+}  // namespace amalgam::sheet
