@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the pictures of the README anew, by our own renderer: deploy/pictures/, with a film, complex-synthetic.webp.
+# Makes the pictures of the README anew, by our own renderer: deploy/pictures/, with two films, complex-synthetic.webp and page-film.webp.
 # Needs a build, the demo's assets (deploy/fetch_assets.sh) and ImageMagick, which cuts and joins. Some pictures show test
 # data that the repository does not hold; without it they are named and stay as they are. BIN: where the programs are.
 set -euo pipefail
@@ -30,7 +30,7 @@ have() {
   done
 }
 
-for part in scenes methods clients film truth; do
+for part in scenes methods clients film page truth; do
   # shellcheck source=/dev/null
   source "deploy/pictures_$part.sh"
 done

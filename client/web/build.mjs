@@ -4,7 +4,7 @@
 //
 // packages: holds node_modules, which never lies in the source folder. descriptor: amalgam.proto's,
 // as `protoc --descriptor_set_out` writes it. page: what the server is to serve. tests: the tests
-// of tests/web, for `node --test`.
+// of tests/web, for `node --test`, and the tools beside them.
 import { cpSync, mkdirSync, readdirSync } from "node:fs";
 import { createRequire } from "node:module";
 import { dirname, join, resolve } from "node:path";
@@ -40,7 +40,9 @@ const common = {
 mkdirSync(options.page, { recursive: true });
 await build({
   ...common,
-  entryPoints: [join(here, "source/main.js"), join(here, "source/worker.js")],
+  entryPoints: ["main", "worker", "lens_worker", "board_page"].map((name) =>
+    join(here, `source/${name}.js`),
+  ),
   entryNames: "[name]",
   outdir: options.page,
   target: ["chrome107", "firefox110", "safari16.4"],
@@ -50,7 +52,9 @@ await build({
 cpSync(join(here, "page"), options.page, { recursive: true });
 
 if (options.tests) {
-  const tests = readdirSync(testFolder, { recursive: true }).filter((f) => f.endsWith(".test.js"));
+  const tests = readdirSync(testFolder, { recursive: true }).filter(
+    (file) => file.endsWith(".test.js") || file.startsWith("tools/"),
+  );
   await build({
     ...common,
     platform: "node",

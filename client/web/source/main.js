@@ -2,10 +2,13 @@
 import { App } from "./app.js";
 import { CompositeView } from "./composite_view.js";
 import { connectControls, togglePanel } from "./controls.js";
+import { Lenses, localStorageOrNone } from "./lenses.js";
 import { Notice } from "./notice.js";
 import { Readout } from "./readout.js";
 import { loadSettings, saveSettings } from "./settings.js";
 import { SettingsForm } from "./settings_form.js";
+import { hasSheet, showSheets } from "./sheets.js";
+import { Wizard } from "./wizard.js";
 
 const element = (id) => document.getElementById(id);
 
@@ -59,9 +62,36 @@ const page = {
     element("picture").classList.add("started");
     await form.listCameras(deviceId);
   },
+  lens: (lens) => form.showLens(lens),
 };
-const app = new App(page, settings);
+const app = new App(page, settings, new Lenses(localStorageOrNone()));
 connectControls(view, settings, (markers) => {
   app.outlines = markers;
   keep({ markers });
 });
+
+const wizardParts = ["state", "error", "finish", "use", "save", "again", "cancel"].map((name) => [
+  name,
+  element(`wizard-${name}`),
+]);
+const wizard = new Wizard(
+  { ...Object.fromEntries(wizardParts), card: element("wizard"), coverage: element("coverage") },
+  view,
+  {
+    lend: (watcher) => app.lend(watcher),
+    takeBack: () => app.takeBack(),
+    use: (lens, width, height) => app.keepLens(lens, width, height),
+  },
+);
+element("lens-measure").addEventListener("click", () => wizard.open());
+element("lens-forget").addEventListener("click", () => app.forgetLens());
+
+// Sheets are of the scene of the page's own server.
+if (settings.server === "") {
+  hasSheet("marker-sheet.pdf").then((has) => {
+    if (has) showSheets(document.querySelectorAll(".marker-sheets"), "marker-sheet.pdf");
+  });
+  hasSheet("lens-board.pdf").then((has) => {
+    if (has) showSheets(document.querySelectorAll(".board-sheets"), "lens-board.pdf");
+  });
+}

@@ -7,6 +7,7 @@ const element = (id) => document.getElementById(id);
 
 export class SettingsForm {
   #calibration = null;
+  #lens = null; // {camera, error}: measured and in use
 
   /**
    * @param {object} settings of settings.js
@@ -48,6 +49,12 @@ export class SettingsForm {
     element("device").value = cameras.some(({ deviceId }) => deviceId === current) ? current : "";
   }
 
+  /** @param {{camera: object, error: number} | null} lens that was measured and is in use */
+  showLens(lens) {
+    this.#lens = lens;
+    this.#say();
+  }
+
   #fill(settings) {
     element("device").append(new Option("as last time", settings.deviceId));
     element("device").value = settings.deviceId;
@@ -64,6 +71,14 @@ export class SettingsForm {
   #say() {
     element("fov-value").textContent = `${element("fov").value}°`;
     element("quality-value").textContent = `${element("quality").value} %`;
+    element("fov").disabled = this.#calibration !== null || this.#lens !== null;
+    element("lens-state").hidden = this.#lens === null;
+    element("lens-forget").hidden = this.#lens === null;
+    if (!this.#lens) return;
+    const { camera, error } = this.#lens;
+    const degrees = fieldOfView(camera).toFixed(1);
+    element("lens-state").textContent =
+      `Measured for this camera and size: ${degrees}° wide, to ${error.toFixed(2)} pixels.`;
   }
 
   async #readCalibration() {
@@ -90,7 +105,6 @@ export class SettingsForm {
     }
     element("calibration").value = "";
     element("calibration-clear").hidden = this.#calibration === null;
-    element("fov").disabled = this.#calibration !== null;
     this.#say();
   }
 }

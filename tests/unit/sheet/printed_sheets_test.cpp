@@ -9,11 +9,15 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 
+#include "client/tracking/board_description.h"
 #include "common/whole_file.h"
+#include "sheet/marker_sheet.h"
 
 namespace amalgam {
 namespace {
@@ -56,6 +60,19 @@ TEST(PrintedSheets, AreOfTheScenesMarkersAndOfThePaper) {
               HasSubstr("(letter)"));
   EXPECT_THAT(words_of(sheets.at("/lens-board.pdf?paper=a4")(kMarkers)), HasSubstr("(A4)"));
   EXPECT_THAT(words_of(sheets.at("/lens-board.pdf?paper=letter")(kMarkers)), HasSubstr("(letter)"));
+}
+
+// The page looks for the board that it is printed with.
+TEST(PrintedSheets, TheBoardIsThePages) {
+  std::ifstream file(AMALGAM_SOURCE_DIR "/client/web/source/lens/limits.json");
+  const nlohmann::json limits = nlohmann::json::parse(file);
+  EXPECT_EQ(limits["dictionary"], sheet::SheetOptions().dictionary);
+  const tracking::RegularBoard board = client::parse_charuco(limits["board"]);
+  EXPECT_EQ(board.columns, kLensBoard.columns);
+  EXPECT_EQ(board.rows, kLensBoard.rows);
+  EXPECT_EQ(board.first_length, kLensBoard.first_length);
+  EXPECT_EQ(board.second_length, kLensBoard.second_length);
+  EXPECT_EQ(board.first_id, kLensBoard.first_id);
 }
 
 TEST(PrintedSheets, WhatDoesNotFitIsSaid) {

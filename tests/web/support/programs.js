@@ -27,9 +27,17 @@ export class Server {
       `127.0.0.1:${webPort}`,
     ];
     const all = ["--scene", scene, ...places, "--log-level", "warn", ...options];
-    server.#process = spawn(program("amalgam-server"), all, {
-      stdio: ["ignore", "pipe", "inherit"],
-    });
+    return server.#begin("amalgam-server", all);
+  }
+
+  /** @returns {Promise<Server>} whose renderer takes so many ms and changes nothing */
+  static async startStub(costMs) {
+    return new Server().#begin("amalgam-stub-server", ["--cost", String(costMs)]);
+  }
+
+  async #begin(name, options) {
+    const server = this;
+    server.#process = spawn(program(name), options, { stdio: ["ignore", "pipe", "inherit"] });
     for await (const line of createInterface({ input: server.#process.stdout })) {
       const [, address] = /listening on (\S+)/.exec(line) ?? [];
       if (!address) continue;
@@ -37,7 +45,7 @@ export class Server {
       server.web = / web (\S+)/.exec(line)[1];
       return server;
     }
-    throw new Error("amalgam-server ended before it listened");
+    throw new Error(`${name} ended before it listened`);
   }
 
   get webPort() {
@@ -69,6 +77,14 @@ export function nativeComposites(address, source, frames) {
   const composites = Array.from({ length: frames }, (_, i) => readFileSync(name(i)));
   rmSync(folder, { recursive: true });
   return composites;
+}
+
+/** @returns {number} ms from capture to composite, the median, of a film's frames */
+export function nativeLatency(address, film, rate) {
+  const options = ["--server", address, "--video", film, "--rate", String(rate), "--json"];
+  const { status, stdout, stderr } = spawnSync(program("amalgam-client"), options);
+  if (status !== 0) throw new Error(`amalgam-client: ${stderr}`);
+  return JSON.parse(stdout).latency_ms.median;
 }
 
 /** Pictures of the synthetic desk as its camera takes them: what a server without objects sends. */

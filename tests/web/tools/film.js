@@ -1,0 +1,91 @@
+// Pictures of the page at work, for the README: a film's frames and one picture with the panel open.
+// deploy/pictures_page.sh makes WebP of them.
+//
+//   node build/web-packages/tests/tools/film.mjs FOLDER
+import { mkdirSync, mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { argv } from "node:process";
+import jpeg from "jpeg-js";
+import { closeBrowsers, openPage, startCamera, textMatches } from "../support/browser.js";
+import { writeFilm } from "../support/film.js";
+import { deskPictures, sceneFile, Server } from "../support/programs.js";
+
+const SIZE = "640x480";
+const PATH = 240; // pictures until the synthetic camera begins again
+const EVERY = 3; // of them is shown
+const RATE = 4; // pictures a second that a server without a GPU can follow
+const FRAMES = PATH / EVERY;
+const PATIENCE_MS = 20000;
+
+// The slider goes to the middle, waits, and goes back.
+function shareAt(frame) {
+  const [out, stay, back] = [0.3, 0.5, 0.7].map((part) => part * FRAMES);
+  const ease = (t) => Math.min(Math.max(t, 0), 1) ** 2 * (3 - 2 * Math.min(Math.max(t, 0), 1));
+  const length = 0.15 * FRAMES;
+  const middle = 50;
+  if (frame < stay) return Math.round(middle * ease((frame - out) / length));
+  return Math.round(middle * (1 - ease((frame - back) / length)));
+}
+
+/** Waits for another picture on the canvas than the last time. */
+const nextPicture = (page) =>
+  page.waitForFunction(
+    () => {
+      const canvas = document.getElementById("canvas");
+      const { data } = canvas.getContext("2d").getImageData(0, canvas.height - 8, canvas.width, 8);
+      const sum = data.reduce((a, b) => (31 * a + b) % 4294967291, 0);
+      const isNew = sum !== window.lastSum;
+      window.lastSum = sum;
+      return isNew;
+    },
+    null,
+    { timeout: PATIENCE_MS },
+  );
+
+const setShare = (page, share) =>
+  page.evaluate((value) => {
+    const slider = document.getElementById("compare");
+    slider.value = value;
+    slider.dispatchEvent(new Event("input"));
+  }, share);
+
+const [, , out] = argv;
+mkdirSync(out, { recursive: true });
+const folder = mkdtempSync(join(tmpdir(), "amalgam-film-"));
+let server;
+try {
+  const desk = await deskPictures(folder, SIZE, PATH);
+  const film = join(folder, "desk.y4m");
+  const shown = desk.filter((_, i) => i % EVERY === 0);
+  writeFilm(
+    film,
+    shown.map((bytes) => jpeg.decode(bytes, { useTArray: true })),
+    RATE,
+  );
+  server = await Server.start(sceneFile("complex"), { options: ["--samples", "adaptive"] });
+  const { page, close } = await openPage({
+    film,
+    page: { viewport: { width: 800, height: 640 }, colorScheme: "light" },
+  });
+  await startCamera(page, `http://${server.web}/`);
+  await textMatches(page, "#summary", /fps/, PATIENCE_MS);
+  for (let frame = 0; frame < FRAMES; ++frame) {
+    await nextPicture(page);
+    await setShare(page, shareAt(frame));
+    await page.screenshot({ path: join(out, `film-${String(frame).padStart(3, "0")}.png`) });
+  }
+  await page.setViewportSize({ width: 1280, height: 800 });
+  await page.keyboard.press("p");
+  await setShare(page, 50);
+  await page.waitForTimeout(1000);
+  // Where the time goes, rather than the settings.
+  await page.evaluate(() => document.getElementById("figures").scrollIntoView());
+  await nextPicture(page);
+  await page.screenshot({ path: join(out, "page.png") });
+  await close();
+} finally {
+  await server?.stop();
+  await closeBrowsers();
+  rmSync(folder, { recursive: true });
+}
