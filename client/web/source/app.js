@@ -100,8 +100,9 @@ export class App {
     if (this.#started) this.#openSession();
   }
 
-  /** From now on the lens of this camera, for pictures of this size. */
+  /** From now on the lens of this camera, for pictures of this size, instead of a file. */
   keepLens(lens, width, height) {
+    this.#settings = { ...this.#settings, calibration: null };
     this.#lenses.keep(this.#deviceId, width, height, lens);
   }
 

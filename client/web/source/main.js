@@ -80,18 +80,23 @@ const wizard = new Wizard(
   {
     lend: (watcher) => app.lend(watcher),
     takeBack: () => app.takeBack(),
-    use: (lens, width, height) => app.keepLens(lens, width, height),
+    use: (lens, width, height) => {
+      form.forgetFile(); // or it would come first
+      keep({ calibration: null });
+      app.keepLens(lens, width, height);
+    },
   },
 );
-element("lens-measure").addEventListener("click", () => wizard.open());
+element("lens-measure").addEventListener("click", () => {
+  wizard.open();
+  offerSheets(".board-sheets", "lens-board.pdf");
+});
 element("lens-forget").addEventListener("click", () => app.forgetLens());
 
 // Sheets are of the scene of the page's own server.
-if (settings.server === "") {
-  hasSheet("marker-sheet.pdf").then((has) => {
-    if (has) showSheets(document.querySelectorAll(".marker-sheets"), "marker-sheet.pdf");
-  });
-  hasSheet("lens-board.pdf").then((has) => {
-    if (has) showSheets(document.querySelectorAll(".board-sheets"), "lens-board.pdf");
-  });
+async function offerSheets(selector, file) {
+  if (settings.server === "" && (await hasSheet(file))) {
+    showSheets(document.querySelectorAll(selector), file);
+  }
 }
+offerSheets(".marker-sheets", "marker-sheet.pdf");

@@ -18,9 +18,7 @@ export class SettingsForm {
     element("fov").addEventListener("input", () => this.#say());
     element("quality").addEventListener("input", () => this.#say());
     element("calibration").addEventListener("change", () => this.#readCalibration());
-    element("calibration-clear").addEventListener("click", () => {
-      this.#setCalibration(null);
-    });
+    element("calibration-clear").addEventListener("click", () => this.forgetFile());
     element("settings").addEventListener("submit", (event) => {
       event.preventDefault();
       apply(this.values());
@@ -53,6 +51,11 @@ export class SettingsForm {
   showLens(lens) {
     this.#lens = lens;
     this.#say();
+  }
+
+  /** The calibration file that was chosen. */
+  forgetFile() {
+    this.#setCalibration(null);
   }
 
   #fill(settings) {
