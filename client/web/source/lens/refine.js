@@ -76,7 +76,9 @@ function step(equations, damping) {
     right.add(part(r, OF_LENS, [0, 1])).sub(back.mmul(free));
     eliminated.push({ bound, free });
   }
-  const whole = new CholeskyDecomposition(matrix);
+  // Rounding makes it a little less than symmetric.
+  const symmetric = Matrix.add(matrix, matrix.transpose()).mul(0.5);
+  const whole = new CholeskyDecomposition(symmetric);
   if (!whole.isPositiveDefinite()) return null;
   const lens = whole.solve(right);
   return {
