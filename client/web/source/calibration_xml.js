@@ -15,7 +15,10 @@ function valueOf(element) {
 
 /** @returns {object} throws an Error in plain words */
 export function parseXml(text) {
-  const root = new DOMParser().parseFromString(text, "text/xml").documentElement;
+  const file = new DOMParser().parseFromString(text, "text/xml");
+  // Browsers put what is wrong into the document.
+  if (file.querySelector("parsererror")) throw new Error("the XML is damaged");
+  const root = file.documentElement;
   if (root.nodeName !== "opencv_storage") throw new Error("it is XML, but not OpenCV's");
   return valueOf(root);
 }

@@ -88,6 +88,7 @@ const wizard = new Wizard(
   },
 );
 element("lens-measure").addEventListener("click", () => {
+  togglePanel(false); // on phones it would leave no room for the picture
   wizard.open();
   offerSheets(".board-sheets", "lens-board.pdf");
 });

@@ -83,6 +83,7 @@ test("the lens is measured, used, saved and remembered", { skip }, async () => {
     await page.getByRole("button", { name: "Use this lens" }).click();
     await textMatches(page, "#chip", /^connected/);
     assert.equal(hellos(server).at(-1).value.camera.fx, camera.fx);
+    await page.keyboard.press("p");
     await textMatches(page, "#lens-state", /Measured for this camera and size: 65\.\d° wide/);
     assert.ok(await page.isDisabled("#fov"));
 

@@ -9,6 +9,7 @@ import { argv } from "node:process";
 import jpeg from "jpeg-js";
 import { closeBrowsers, openPage, startCamera, textMatches } from "../support/browser.js";
 import { writeFilm } from "../support/film.js";
+import { buildFolder } from "../support/places.js";
 import { deskPictures, sceneFile, Server } from "../support/programs.js";
 
 const SIZE = "640x480";
@@ -63,7 +64,10 @@ try {
     shown.map((bytes) => jpeg.decode(bytes, { useTArray: true })),
     RATE,
   );
-  server = await Server.start(sceneFile("complex"), { options: ["--samples", "adaptive"] });
+  const folderOfPage = join(buildFolder(), "web");
+  server = await Server.start(sceneFile("complex"), {
+    options: ["--samples", "adaptive", "--web-folder", folderOfPage],
+  });
   const { page, close } = await openPage({
     film,
     page: { viewport: { width: 800, height: 640 }, colorScheme: "light" },
