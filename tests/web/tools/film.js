@@ -17,7 +17,7 @@ const PATH = 240; // pictures until the synthetic camera begins again
 const EVERY = 3; // of them is shown
 const RATE = 4; // pictures a second that a server without a GPU can follow
 const FRAMES = PATH / EVERY;
-const PATIENCE_MS = 20000;
+const PATIENCE_MS = 120000; // the first picture waits for the shaders
 
 // The slider goes to the middle, waits, and goes back.
 function shareAt(frame) {

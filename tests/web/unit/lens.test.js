@@ -135,6 +135,14 @@ test("views like another are not taken", () => {
   assert.equal(offer(-0.09), "full");
 });
 
+test("covered cells are where the corners were", () => {
+  const views = new Views(board, WIDTH, HEIGHT);
+  views.offer(boardView(CAMERA, board, [0, 0, 0], [0.35, -0.25, 0.85]));
+  const seen = views.seen.flatMap((isSeen, i) => (isSeen ? [[i % 5, Math.floor(i / 5)]] : []));
+  assert.ok(seen.length >= 2);
+  assert.ok(seen.every(([column, row]) => column >= 3 && row <= 1), JSON.stringify(seen));
+});
+
 test("sets that do not determine the lens are refused", () => {
   const refusal = (views) => {
     try {
