@@ -227,11 +227,17 @@ export class App {
   async #show(composite, frame) {
     const received = performance.now();
     const { picture } = frame;
+    const loop = this.#loop;
     const bitmap = composite.unchanged
       ? picture
       : await createImageBitmap(new Blob([composite.jpeg], { type: "image/jpeg" }));
     const decoded = performance.now();
-    if (!this.#loop) return; // ended meanwhile
+    if (this.#loop !== loop) {
+      // Ended meanwhile, and perhaps another one has begun.
+      picture.close();
+      bitmap.close();
+      return;
+    }
     const { view, readout } = this.#page;
     view.show({ composite: bitmap, picture });
     const used = new Set(composite.poses.map(({ marker }) => marker));

@@ -15,7 +15,7 @@ import { deskPictures, sceneFile, Server } from "../support/programs.js";
 const SIZE = "640x480";
 const PATH = 240; // pictures until the synthetic camera begins again
 const EVERY = 3; // of them is shown
-const RATE = 4; // pictures a second that a server without a GPU can follow
+const RATE = 1; // pictures a second, which a busy server without a GPU can follow
 const FRAMES = PATH / EVERY;
 const PATIENCE_MS = 120000; // the first picture waits for the shaders
 
