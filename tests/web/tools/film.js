@@ -15,7 +15,10 @@ import { deskPictures, sceneFile, Server } from "../support/programs.js";
 const SIZE = "640x480";
 const PATH = 240; // pictures until the synthetic camera begins again
 const EVERY = 3; // of them is shown
-const RATE = 1; // pictures a second, which a busy server without a GPU can follow
+// Pictures a second: for the film as many as a busy server without a GPU can follow, and for the
+// picture that shows times a camera's.
+const FILM_RATE = 1;
+const PICTURE_RATE = 15;
 const FRAMES = PATH / EVERY;
 const PATIENCE_MS = 120000; // the first picture waits for the shaders
 
@@ -57,32 +60,41 @@ const folder = mkdtempSync(join(tmpdir(), "amalgam-film-"));
 let server;
 try {
   const desk = await deskPictures(folder, SIZE, PATH);
-  const film = join(folder, "desk.y4m");
   const shown = desk.filter((_, i) => i % EVERY === 0);
-  writeFilm(
-    film,
-    shown.map((bytes) => jpeg.decode(bytes, { useTArray: true })),
-    RATE,
-  );
+  const pictures = shown.map((bytes) => jpeg.decode(bytes, { useTArray: true }));
+  const filmOf = (rate) => {
+    const file = join(folder, `desk-${rate}.y4m`);
+    writeFilm(file, pictures, rate);
+    return file;
+  };
   const folderOfPage = join(buildFolder(), "web");
   server = await Server.start(sceneFile("complex"), {
     options: ["--samples", "adaptive", "--web-folder", folderOfPage],
   });
-  const { page, close } = await openPage({
-    film,
-    page: { viewport: { width: 800, height: 640 }, colorScheme: "light" },
-  });
-  await startCamera(page, `http://${server.web}/`);
-  await textMatches(page, "#summary", /fps/, PATIENCE_MS);
+  const open = async (rate, [width, height]) => {
+    const film = filmOf(rate);
+    const settings = { viewport: { width, height }, colorScheme: "light" };
+    const opened = await openPage({ film, page: settings });
+    await startCamera(opened.page, `http://${server.web}/`);
+    await textMatches(opened.page, "#summary", /fps/, PATIENCE_MS);
+    return opened;
+  };
+
+  const forFilm = await open(FILM_RATE, [880, 660]);
+  // The film is not made in real time.
+  await forFilm.page.evaluate(() => (document.getElementById("summary").style.opacity = 0));
   for (let frame = 0; frame < FRAMES; ++frame) {
-    await nextPicture(page);
-    await setShare(page, shareAt(frame));
-    await page.screenshot({ path: join(out, `film-${String(frame).padStart(3, "0")}.png`) });
+    await nextPicture(forFilm.page);
+    await setShare(forFilm.page, shareAt(frame));
+    const name = `film-${String(frame).padStart(3, "0")}.png`;
+    await forFilm.page.screenshot({ path: join(out, name) });
   }
-  await page.setViewportSize({ width: 1280, height: 800 });
+  await forFilm.close();
+
+  const { page, close } = await open(PICTURE_RATE, [1280, 800]);
   await page.keyboard.press("p");
   await setShare(page, 50);
-  await page.waitForTimeout(1000);
+  await page.waitForTimeout(3000);
   // Where the time goes, rather than the settings.
   await page.evaluate(() => document.getElementById("figures").scrollIntoView());
   await nextPicture(page);
