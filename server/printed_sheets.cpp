@@ -18,7 +18,8 @@ std::string marker_sheet(const Markers& markers, const std::string& title, const
 }
 
 std::string lens_board(const char* paper) {
-  sheet::SheetOptions options{.title = "Amalgam: measuring a lens"};
+  sheet::SheetOptions options{.title =
+                                  "To measure a lens: amalgam-client --charuco 5x7:0.032:0.024"};
   sheet::set_paper(options, paper);
   return sheet::pdf_of(sheet::lay_out_charuco(options, kLensBoard));
 }

@@ -10,9 +10,10 @@
 
 namespace amalgam {
 
-// The board that the page measures a lens with: squares of 35 mm, markers of DICT_6X6_250.
+// The board that the page measures a lens with, of DICT_6X6_250: the largest in whole millimetres
+// that fits on US letter too.
 inline constexpr tracking::RegularBoard kLensBoard{
-    .columns = 5, .rows = 7, .first_length = 0.035, .second_length = 0.026, .first_id = 0};
+    .columns = 5, .rows = 7, .first_length = 0.032, .second_length = 0.024, .first_id = 0};
 
 // /marker-sheet.pdf and /lens-board.pdf, each with ?paper=a4 and ?paper=letter, as PDF. title: on
 // each page of markers.

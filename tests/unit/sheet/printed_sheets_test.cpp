@@ -45,6 +45,12 @@ std::string words_of(const std::string& pdf) {
   return words;
 }
 
+// What the page for browsers looks for.
+nlohmann::json page_limits() {
+  std::ifstream file(AMALGAM_SOURCE_DIR "/client/web/source/lens/limits.json");
+  return nlohmann::json::parse(file);
+}
+
 TEST(PrintedSheets, AreOfTheScenesMarkersAndOfThePaper) {
   if (std::system("command -v pdftotext >/dev/null") != 0) {
     GTEST_SKIP() << "no pdftotext (Debian's poppler-utils)";
@@ -58,14 +64,15 @@ TEST(PrintedSheets, AreOfTheScenesMarkersAndOfThePaper) {
   EXPECT_THAT(a4, HasSubstr("marker 23: "));
   EXPECT_THAT(words_of(sheets.at("/marker-sheet.pdf?paper=letter")(kMarkers)),
               HasSubstr("(letter)"));
-  EXPECT_THAT(words_of(sheets.at("/lens-board.pdf?paper=a4")(kMarkers)), HasSubstr("(A4)"));
+  const std::string board = words_of(sheets.at("/lens-board.pdf?paper=a4")(kMarkers));
+  EXPECT_THAT(board, HasSubstr("(A4)"));
+  EXPECT_THAT(board, HasSubstr("--charuco " + page_limits()["board"].get<std::string>()));
   EXPECT_THAT(words_of(sheets.at("/lens-board.pdf?paper=letter")(kMarkers)), HasSubstr("(letter)"));
 }
 
 // The page looks for the board that it is printed with.
 TEST(PrintedSheets, TheBoardIsThePages) {
-  std::ifstream file(AMALGAM_SOURCE_DIR "/client/web/source/lens/limits.json");
-  const nlohmann::json limits = nlohmann::json::parse(file);
+  const nlohmann::json limits = page_limits();
   EXPECT_EQ(limits["dictionary"], sheet::SheetOptions().dictionary);
   const tracking::RegularBoard board = client::parse_charuco(limits["board"]);
   EXPECT_EQ(board.columns, kLensBoard.columns);

@@ -140,7 +140,8 @@ test("the board on a screen is the one that is looked for", { skip }, async () =
       return (await answer).corners;
     }, png.toString("base64"));
     assert.equal(corners.length, board.markers.size);
-    const scale = Math.min(900 / (0.245 + 0.0175), 700 / (0.175 + 0.0175));
+    const margin = board.black[0].side / 2; // a quarter of a square on each side
+    const scale = Math.min(900 / (board.height + margin), 700 / (board.width + margin));
     for (const { marker, pixels } of corners) {
       board.markers.get(marker).forEach(({ x, y }, i) => {
         // A quarter clockwise: the board's right goes down, and its top goes right.

@@ -32,15 +32,15 @@ const near = (value, expected, within) =>
 test("the board is the one that is printed", () => {
   assert.equal(board.markers.size, 17);
   assert.equal(board.black.length, 18);
-  near(board.width, 0.175, 1e-12);
-  near(board.height, 0.245, 1e-12);
+  near(board.width, 0.16, 1e-12);
+  near(board.height, 0.224, 1e-12);
   // The first one lies in the second square of the top row.
   const [topLeft, , bottomRight] = board.markers.get(0);
-  near(topLeft.x, -0.0875 + 0.035 + 0.0045, 1e-12);
-  near(topLeft.y, 0.1225 - 0.0045, 1e-12);
-  near(topLeft.y - bottomRight.y, 0.026, 1e-12);
+  near(topLeft.x, -0.08 + 0.032 + 0.004, 1e-12);
+  near(topLeft.y, 0.112 - 0.004, 1e-12);
+  near(topLeft.y - bottomRight.y, 0.024, 1e-12);
   assert.equal(board.markers.get(2).length, 4);
-  near(board.markers.get(2)[0].x, -0.0875 + 0.0045, 1e-12);
+  near(board.markers.get(2)[0].x, -0.08 + 0.004, 1e-12);
 });
 
 test("derivatives are the differences of projections", () => {
