@@ -13,7 +13,9 @@ namespace amalgam::sheet {
 namespace {
 
 constexpr double kPageMargin = 10.0;  // mm: what printers leave white
-constexpr double kCaption = 8.0;      // mm below each marker's margin
+constexpr double kCaption = 8.0;      // mm below each marker's margin: two lines
+constexpr double kLine = 1.25;        // from baseline to baseline, of the font's size
+constexpr double kLetter = 0.65;      // the width of one, of the font's size; capitals are wide
 constexpr double kRulerText = 5.0;    // mm from the ruler's line to the bottom of its text
 constexpr double kRulerHeight = 10.0;
 
@@ -45,6 +47,17 @@ SheetMarker make_marker(int id, const cv::Mat& cells, const Square& outline, dou
     }
   }
   return marker;
+}
+
+std::string caption_of(const SheetOptions& options, int id) {
+  return options.dictionary + ", marker " + std::to_string(id);
+}
+
+// So that no caption reaches into the next one.
+double widest_caption(const SheetOptions& options, double font_size) {
+  std::size_t letters = 0;
+  for (const int id : options.ids) letters = std::max(letters, caption_of(options, id).size());
+  return kLetter * font_size * static_cast<double>(letters);
 }
 
 // One page with the title and the ruler.
@@ -84,16 +97,18 @@ MarkerSheet lay_out_markers(const SheetOptions& options) {
   const double side = 1000.0 * options.length;
   if (!(side > 0.0)) throw std::runtime_error("a marker's length must be above 0 m");
   const double margin = 2.0 * side / (known->markerSize + 2);
-  const double across = side + 2.0 * margin, down = across + kCaption;
+  const double square = side + 2.0 * margin, down = square + kCaption;
   const double right = options.page_width - kPageMargin;
   const double bottom = options.page_height - kPageMargin - kRulerHeight;
   const double top = kPageMargin + (options.title.empty() ? 0.0 : kCaption);
-  if (kPageMargin + across > right || top + down > bottom) {
+  if (kPageMargin + square > right || top + down > bottom) {
     throw std::runtime_error("a marker of " + millimetres(side) + " mm does not fit on a page of " +
                              millimetres(options.page_width) + " x " +
                              millimetres(options.page_height) + " mm");
   }
   MarkerSheet sheet = blank_sheet(options);
+  const double across = std::max(
+      square, std::min(margin + widest_caption(options, sheet.font_size), right - kPageMargin));
   double x = kPageMargin, y = top;
   for (const int id : options.ids) {
     if (x + across > right) {
@@ -108,9 +123,10 @@ MarkerSheet lay_out_markers(const SheetOptions& options) {
     const Square outline{x + margin, y + margin, side};
     page.markers.push_back(make_marker(id, cells_of(known, id), outline, margin));
     // Print in the white margin would hide the marker's edge from detectors.
-    page.texts.push_back({outline.x, outline.y + side + margin + sheet.font_size,
-                          options.dictionary + ", marker " + std::to_string(id) +
-                              ": the black square is " + millimetres(side) + " mm wide"});
+    const double line = outline.y + side + margin + sheet.font_size;
+    page.texts.push_back({outline.x, line, caption_of(options, id)});
+    page.texts.push_back({outline.x, line + kLine * sheet.font_size,
+                          "black square: " + millimetres(side) + " mm wide"});
     x += across;
   }
   return sheet;

@@ -133,12 +133,13 @@ SheetText text_with(const SheetPage& page, const std::string& words) {
 TEST(MarkerSheet, CaptionsLieBelowTheWhiteMargin) {
   const MarkerSheet sheet = lay_out_markers({.ids = {40}, .length = 0.05, .title = "a scene"});
   const SheetPage& page = sheet.pages.at(0);
-  const SheetText caption =
-      text_with(page, "DICT_6X6_250, marker 40: the black square is 50 mm wide");
+  const SheetText caption = text_with(page, "DICT_6X6_250, marker 40");
   const SheetMarker& marker = page.markers.front();
   EXPECT_DOUBLE_EQ(marker.margin, 2 * 50.0 / 8);
   EXPECT_GE(caption.y - sheet.font_size, marker.outline.y + 50.0 + marker.margin - 1e-9);
   EXPECT_LE(text_with(page, "a scene").y, marker.outline.y - marker.margin);
+  const SheetText size = text_with(page, "black square: 50 mm wide");
+  EXPECT_GE(size.y, caption.y + sheet.font_size);
 }
 
 TEST(MarkerSheet, WhatDoesNotFitOnOnePageComesOnTheNext) {

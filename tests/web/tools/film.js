@@ -15,11 +15,9 @@ import { deskPictures, sceneFile, Server } from "../support/programs.js";
 const SIZE = "640x480";
 const PATH = 240; // pictures until the synthetic camera begins again
 const EVERY = 3; // of them is shown
-// Pictures a second: for the film as many as a busy server without a GPU can follow, and for the
-// picture that shows times a camera's.
-const FILM_RATE = 1;
-const PICTURE_RATE = 15;
+const RATE = 15; // of the camera for the picture that shows times
 const FRAMES = PATH / EVERY;
+const RETAKE_MS = 6000;
 const PATIENCE_MS = 120000; // the first picture waits for the shaders
 
 // The slider goes to the middle, waits, and goes back.
@@ -30,6 +28,20 @@ function shareAt(frame) {
   const middle = 50;
   if (frame < stay) return Math.round(middle * ease((frame - out) / length));
   return Math.round(middle * (1 - ease((frame - back) / length)));
+}
+
+/** In the page: a camera that takes its next picture when it is told to, however long that takes. */
+function patientCamera() {
+  const canvas = document.createElement("canvas");
+  const stream = canvas.captureStream(0);
+  navigator.mediaDevices.getUserMedia = async () => stream;
+  window.takePicture = async (base64) => {
+    const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+    const bitmap = await createImageBitmap(new Blob([bytes], { type: "image/jpeg" }));
+    [canvas.width, canvas.height] = [bitmap.width, bitmap.height];
+    canvas.getContext("2d").drawImage(bitmap, 0, 0);
+    stream.getVideoTracks()[0].requestFrame();
+  };
 }
 
 /** Waits for another picture on the canvas than the last time. */
@@ -44,8 +56,20 @@ const nextPicture = (page) =>
       return isNew;
     },
     null,
-    { timeout: PATIENCE_MS },
+    { timeout: RETAKE_MS },
   );
+
+/** A picture is skipped while another one is under way; then it is taken again. */
+async function showPicture(page, bytes) {
+  for (;;) {
+    await page.evaluate((base64) => window.takePicture(base64), bytes.toString("base64"));
+    try {
+      return await nextPicture(page);
+    } catch (error) {
+      if (error.name !== "TimeoutError") throw error;
+    }
+  }
+}
 
 const setShare = (page, share) =>
   page.evaluate((value) => {
@@ -54,44 +78,35 @@ const setShare = (page, share) =>
     slider.dispatchEvent(new Event("input"));
   }, share);
 
-const [, , out] = argv;
-mkdirSync(out, { recursive: true });
-const folder = mkdtempSync(join(tmpdir(), "amalgam-film-"));
-let server;
-try {
-  const desk = await deskPictures(folder, SIZE, PATH);
-  const shown = desk.filter((_, i) => i % EVERY === 0);
-  const pictures = shown.map((bytes) => jpeg.decode(bytes, { useTArray: true }));
-  const filmOf = (rate) => {
-    const file = join(folder, `desk-${rate}.y4m`);
-    writeFilm(file, pictures, rate);
-    return file;
-  };
-  const folderOfPage = join(buildFolder(), "web");
-  server = await Server.start(sceneFile("complex"), {
-    options: ["--samples", "adaptive", "--web-folder", folderOfPage],
-  });
-  const open = async (rate, [width, height]) => {
-    const film = filmOf(rate);
-    const settings = { viewport: { width, height }, colorScheme: "light" };
-    const opened = await openPage({ film, page: settings });
-    await startCamera(opened.page, `http://${server.web}/`);
-    await textMatches(opened.page, "#summary", /fps/, PATIENCE_MS);
-    return opened;
-  };
-
-  const forFilm = await open(FILM_RATE, [880, 660]);
+async function takeFilm(address, pictures) {
+  const settings = { viewport: { width: 880, height: 660 }, colorScheme: "light" };
+  const { page, close } = await openPage({ page: settings });
+  await page.addInitScript(patientCamera);
+  await startCamera(page, address);
+  await showPicture(page, pictures.at(-2)); // the camera alone, until there is a session
+  await textMatches(page, "#chip", /^connected/, PATIENCE_MS);
+  await showPicture(page, pictures.at(-1));
   // The film is not made in real time.
-  await forFilm.page.evaluate(() => (document.getElementById("summary").style.opacity = 0));
+  await page.evaluate(() => (document.getElementById("summary").style.opacity = 0));
   for (let frame = 0; frame < FRAMES; ++frame) {
-    await nextPicture(forFilm.page);
-    await setShare(forFilm.page, shareAt(frame));
-    const name = `film-${String(frame).padStart(3, "0")}.png`;
-    await forFilm.page.screenshot({ path: join(out, name) });
+    await showPicture(page, pictures[frame]);
+    await setShare(page, shareAt(frame));
+    await page.screenshot({ path: join(out, `film-${String(frame).padStart(3, "0")}.png`) });
   }
-  await forFilm.close();
+  await close();
+}
 
-  const { page, close } = await open(PICTURE_RATE, [1280, 800]);
+async function takePicture(address, pictures) {
+  const film = join(folder, "desk.y4m");
+  writeFilm(
+    film,
+    pictures.map((bytes) => jpeg.decode(bytes, { useTArray: true })),
+    RATE,
+  );
+  const settings = { viewport: { width: 1280, height: 800 }, colorScheme: "light" };
+  const { page, close } = await openPage({ film, page: settings });
+  await startCamera(page, address);
+  await textMatches(page, "#summary", /fps/, PATIENCE_MS);
   await page.keyboard.press("p");
   await setShare(page, 50);
   await page.waitForTimeout(3000);
@@ -100,6 +115,22 @@ try {
   await nextPicture(page);
   await page.screenshot({ path: join(out, "page.png") });
   await close();
+}
+
+const [, , out] = argv;
+mkdirSync(out, { recursive: true });
+const folder = mkdtempSync(join(tmpdir(), "amalgam-film-"));
+let server;
+try {
+  const desk = await deskPictures(folder, SIZE, PATH);
+  const shown = desk.filter((_, i) => i % EVERY === 0);
+  const pageFolder = join(buildFolder(), "web");
+  server = await Server.start(sceneFile("complex"), {
+    options: ["--samples", "adaptive", "--web-folder", pageFolder],
+  });
+  const address = `http://${server.web}/`;
+  await takeFilm(address, shown);
+  await takePicture(address, shown);
 } finally {
   await server?.stop();
   await closeBrowsers();
