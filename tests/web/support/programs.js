@@ -87,8 +87,11 @@ export function nativeLatency(address, film, rate) {
   return JSON.parse(stdout).latency_ms.median;
 }
 
-/** Pictures of the synthetic desk as its camera takes them: what a server without objects sends. */
-export async function deskPictures(folder, size, frames) {
+/**
+ * Pictures of the synthetic desk as its camera takes them: what a server without objects sends.
+ * more: further options of the client
+ */
+export async function deskPictures(folder, size, frames, more = []) {
   const scene = join(folder, "empty.gltf");
   const empty = {
     asset: { version: "2.0" },
@@ -98,7 +101,7 @@ export async function deskPictures(folder, size, frames) {
   writeFileSync(scene, JSON.stringify(empty));
   const server = await Server.start(scene, { options: ["--renderer", "raytrace"] });
   try {
-    return nativeComposites(server.address, ["--synthetic", "--size", size], frames);
+    return nativeComposites(server.address, ["--synthetic", "--size", size, ...more], frames);
   } finally {
     await server.stop();
   }

@@ -14,7 +14,7 @@ import { deskPictures, sceneFile, Server } from "../support/programs.js";
 
 const SIZE = "640x480";
 const PATH = 240; // pictures until the synthetic camera begins again
-const EVERY = 3; // of them is shown
+const EVERY = 4; // of them is shown
 const RATE = 15; // of the camera for the picture that shows times
 const FRAMES = PATH / EVERY;
 const RETAKE_MS = 6000;
@@ -122,7 +122,8 @@ mkdirSync(out, { recursive: true });
 const folder = mkdtempSync(join(tmpdir(), "amalgam-film-"));
 let server;
 try {
-  const desk = await deskPictures(folder, SIZE, PATH);
+  // The scene's mirror on the left is a real one.
+  const desk = await deskPictures(folder, SIZE, PATH, ["--synthetic-mirror"]);
   const shown = desk.filter((_, i) => i % EVERY === 0);
   const pageFolder = join(buildFolder(), "web");
   server = await Server.start(sceneFile("complex"), {
