@@ -18,8 +18,8 @@ import { deskPictures, nativeLatency, Server } from "../support/programs.js";
 
 const PICTURES = 20;
 const REPEATED = 6; // for the native client, whose film ends
-const WARM_UP_MS = 3000;
-const SAMPLES = 16;
+const WARM_UP_MS = 2000;
+const SAMPLES = 10;
 const SAMPLE_MS = 500; // how often the page says its figures
 
 const { values: options } = parseArgs({
