@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Makes the pictures of the README anew, by our own renderer: deploy/pictures/, with a film, complex-synthetic.webp.
-# Needs a build, the demo's assets (deploy/fetch_assets.sh) and ImageMagick, which cuts and joins. Some pictures show test
-# data that the repository does not hold; without it they are named and stay as they are. BIN: where the programs are.
+# Makes the pictures of the README anew, by our own renderer: deploy/pictures/, with two films, complex-synthetic.webp
+# and page-film.webp. Needs a build, the demo's assets (deploy/fetch_assets.sh) and ImageMagick, which cuts and joins; the
+# page's pictures also need Chromium. Some pictures show test data that the repository does not hold; without it they are
+# named and stay as they are. BIN: where the programs are.
 set -euo pipefail
 [ $# -eq 0 ] || { echo "usage: deploy/pictures.sh: makes the files in deploy/pictures anew (takes no options)" >&2; exit 2; }
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -30,7 +31,7 @@ have() {
   done
 }
 
-for part in scenes methods clients film truth status; do
+for part in scenes methods clients film page truth status; do
   # shellcheck source=/dev/null
   source "deploy/pictures_$part.sh"
 done

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <boost/asio/ip/address.hpp>
 #include <chrono>
+#include <filesystem>
 #include <map>
 #include <stdexcept>
 
@@ -10,6 +11,7 @@
 #include "common/parse_command_line.h"
 #include "frame/rendering_threads.h"
 #include "net/address_key.h"
+#include "server/printed_sheets.h"
 #include "server/renderer_options.h"
 #include "web/web_files.h"
 
@@ -241,6 +243,8 @@ std::optional<ServerOptions> parse_server_options(int argc, const char* const* a
   if (!agent.empty()) options.net.agent = common::parse_host_port(agent);
   if (!web.empty()) options.net.web = common::parse_host_port(web);
   options.net.web_options.files = web::web_files();
+  options.net.web_options.made =
+      printed_sheets(std::filesystem::path(options.scene).filename().string());
   options.net.status_files = web::status_files();
   options.net.ray_tracer = frame::ray_tracer_version();
   if (!token_file.empty()) options.net.grants = net::read_grants(token_file);

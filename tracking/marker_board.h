@@ -31,6 +31,14 @@ struct MarkerBoard {
 // A square marker lying anywhere in the board's frame; length is its side in metres.
 BoardMarker square_marker(int id, double length, const glm::dmat4& board_from_marker);
 
+// One of OpenCV's regular boards: its sides in markers or squares; lengths in metres.
+struct RegularBoard {
+  int columns = 0, rows = 0;
+  double first_length = 0.0;   // of a marker (grid) or a square (ChArUco)
+  double second_length = 0.0;  // of a gap (grid) or a marker (ChArUco)
+  int first_id = 0;
+};
+
 // The layouts of OpenCV's generators: ids ascend along rows, the top row first; the origin is the
 // board's centre. Lengths in metres. A ChArUco board's markers lie in its white squares, with the
 // top left square black. Its chessboard corners are not used.

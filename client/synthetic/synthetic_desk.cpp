@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "client/synthetic/desk_picture.h"
-#include "client/tracking/marker_dictionary.h"
+#include "tracking/marker_dictionary.h"
 
 namespace amalgam::client {
 namespace {
@@ -25,7 +25,7 @@ SyntheticDesk::SyntheticDesk(const PrintedMarker& marker, std::optional<DeskMirr
       mirror_(mirror),
       whole_({-kDeskSide / 2, -kDeskSide * 0.4}, kDeskSide, kDeskTexels, desk_picture),
       near_({-kNearSide / 2, -kNearSide * 0.35}, kNearSide, kNearTexels, desk_picture) {
-  const auto dictionary = find_dictionary(marker.dictionary);
+  const auto dictionary = tracking::find_dictionary(marker.dictionary);
   if (marker.id < 0 || marker.id >= dictionary->bytesList.rows) {
     throw std::runtime_error("marker " + std::to_string(marker.id) + " is not in " +
                              marker.dictionary);

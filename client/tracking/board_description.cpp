@@ -83,7 +83,7 @@ std::optional<Number> parse(std::string_view text) {
   return value;
 }
 
-std::optional<RegularBoard> parse_regular(std::string_view text) {
+std::optional<tracking::RegularBoard> parse_regular(std::string_view text) {
   std::vector<std::string_view> parts;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(':', begin), text.size());
@@ -100,7 +100,7 @@ std::optional<RegularBoard> parse_regular(std::string_view text) {
   constexpr int kMaxSide = 100;
   if (!columns || !rows || !first || !second || !id) return std::nullopt;
   if (*columns < 1 || *rows < 1 || *columns > kMaxSide || *rows > kMaxSide) return std::nullopt;
-  return RegularBoard{*columns, *rows, *first, *second, *id};
+  return tracking::RegularBoard{*columns, *rows, *first, *second, *id};
 }
 
 tracking::MarkerBoard checked(tracking::MarkerBoard board, const std::string& text) {
@@ -139,7 +139,7 @@ tracking::MarkerBoard parse_grid_board(const std::string& text) {
                  text);
 }
 
-RegularBoard parse_charuco(const std::string& text) {
+tracking::RegularBoard parse_charuco(const std::string& text) {
   const auto board = parse_regular(text);
   if (!board || !(board->second_length > 0) || !(board->first_length > board->second_length)) {
     throw std::runtime_error("'" + text +
@@ -150,7 +150,7 @@ RegularBoard parse_charuco(const std::string& text) {
 }
 
 tracking::MarkerBoard parse_charuco_board(const std::string& text) {
-  const RegularBoard board = parse_charuco(text);
+  const tracking::RegularBoard board = parse_charuco(text);
   return checked(tracking::make_charuco_board(board.columns, board.rows, board.first_length,
                                               board.second_length, board.first_id),
                  text);

@@ -20,21 +20,13 @@ namespace amalgam::client {
 // left, top right, bottom right, bottom left. Throws std::runtime_error with one line.
 tracking::MarkerBoard load_board(const std::filesystem::path& file);
 
-// One of OpenCV's regular boards: its sides in markers or squares; lengths in metres.
-struct RegularBoard {
-  int columns = 0, rows = 0;
-  double first_length = 0.0;   // of a marker (grid) or a square (ChArUco)
-  double second_length = 0.0;  // of a gap (grid) or a marker (ChArUco)
-  int first_id = 0;
-};
-
 // "COLUMNSxROWS:MARKER:GAP[:FIRST_ID]", lengths in metres, as "5x7:0.04:0.01:0". Throws
 // std::runtime_error.
 tracking::MarkerBoard parse_grid_board(const std::string& text);
 
 // "COLUMNSxROWS:SQUARE:MARKER[:FIRST_ID]", counting the chessboard's squares. Throws
 // std::runtime_error.
-RegularBoard parse_charuco(const std::string& text);
+tracking::RegularBoard parse_charuco(const std::string& text);
 tracking::MarkerBoard parse_charuco_board(const std::string& text);
 
 }  // namespace amalgam::client

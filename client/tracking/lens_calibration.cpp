@@ -12,10 +12,7 @@
 namespace amalgam::client {
 namespace {
 
-constexpr std::size_t kFewestMarkers = 4;
-constexpr double kMoved = 0.04;   // of the picture's width, on average: another view
-constexpr double kFlat = 1e-4;    // of the board's size
-constexpr double kUsual = 640.0;  // pixels of width that the worst error is said for
+constexpr double kFlat = 1e-4;  // of the board's size
 
 std::string rounded(double value) {
   char text[32];
@@ -115,8 +112,6 @@ double LensCalibration::coverage() const {
 }
 
 bool LensCalibration::is_enough() const {
-  constexpr std::size_t kGoodViews = 20;
-  constexpr double kGoodCoverage = 0.9;
   return views_.size() >= kMostViews ||
          (views_.size() >= kGoodViews && coverage() >= kGoodCoverage);
 }
@@ -150,7 +145,7 @@ LensCalibration::Result LensCalibration::solve() const {
                              rounded(result.tilt) + " degrees; " + rounded(kLeastTilt) +
                              " are needed");
   }
-  if (!(result.error <= kWorstError * size_.width / kUsual)) {
+  if (!(result.error <= kWorstError * size_.width / kUsualWidth)) {
     throw std::runtime_error("the views contradict each other by " + rounded(result.error) +
                              " pixels: the board is bent, the pictures are blurred, or the "
                              "camera focused anew in between");

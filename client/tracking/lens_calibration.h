@@ -17,11 +17,18 @@ namespace amalgam::client {
 
 class LensCalibration {
  public:
+  // The page for browsers has the same numbers (client/web/source/lens/limits.json).
+  static constexpr std::size_t kFewestMarkers = 4;  // of the board, in a picture
+  static constexpr double kMoved = 0.04;  // of the picture's width, on average: another view
   static constexpr std::size_t kFewestViews = 8;
+  static constexpr std::size_t kGoodViews = 20;
   static constexpr std::size_t kMostViews = 40;  // enough, and solved within seconds
-  static constexpr double kLeastCoverage = 0.6;  // share of the picture's cells with corners
-  static constexpr double kLeastTilt = 15.0;     // degrees between the most different views
-  static constexpr double kWorstError = 1.0;     // pixels at 640 wide, root mean square
+  static constexpr int kCells = 5;               // that the picture is divided into, on each axis
+  static constexpr double kLeastCoverage = 0.6;  // share of these cells with corners
+  static constexpr double kGoodCoverage = 0.9;
+  static constexpr double kLeastTilt = 15.0;   // degrees between the most different views
+  static constexpr double kWorstError = 1.0;   // pixels at the usual width, root mean square
+  static constexpr double kUsualWidth = 640.0;
 
   // size: of the pictures, pixels. Throws std::runtime_error for a board that is not flat, or whose
   // layout is not known (an even number of rows of a ChArUco board: OpenCV has had two).
@@ -44,7 +51,6 @@ class LensCalibration {
   Result solve() const;
 
  private:
-  static constexpr int kCells = 5;  // on each axis
   struct View {
     std::vector<cv::Point3f> board;
     std::vector<cv::Point2f> pixels;

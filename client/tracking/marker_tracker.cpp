@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "client/tracking/edge_refinement.h"
-#include "client/tracking/marker_dictionary.h"
+#include "tracking/marker_dictionary.h"
 
 namespace amalgam::client {
 namespace {
@@ -24,7 +24,7 @@ cv::Mat to_grey(const cv::Mat& image, cv::ColorConversionCodes from_color) {
 MarkerTracker::MarkerTracker(const TrackerOptions& options, const common::CameraModel& camera)
     : size_(camera.width, camera.height),
       refine_corners_(options.refine_corners),
-      dictionary_(find_dictionary(options.dictionary)),
+      dictionary_(tracking::find_dictionary(options.dictionary)),
       parameters_(cv::aruco::DetectorParameters::create()),
       poses_({.marker_length = options.marker_length,
               .ids = options.ids,

@@ -18,7 +18,7 @@ namespace amalgam::client {
 
 // Most as tracking::PoseTrackerOptions.
 struct TrackerOptions {
-  std::string dictionary = "DICT_6X6_250";  // see find_dictionary()
+  std::string dictionary = "DICT_6X6_250";  // see tracking::find_dictionary()
   double marker_length = 0.05;              // metres, side of the black square
   std::vector<int> ids{};                   // markers of interest; empty: all of the dictionary
   bool refine_corners = true;               // to fractions of a pixel, as poses need

@@ -5,7 +5,8 @@
 //
 // packages: holds node_modules, which never lies in the source folder. descriptor: amalgam.proto's,
 // as `protoc --descriptor_set_out` writes it. page, status: what the server is to serve, at the web
-// port and at the admin port. tests: the tests of tests/web, for `node --test`.
+// port and at the admin port. tests: the tests of tests/web, for `node --test`, and the tools beside
+// them.
 import { cpSync, mkdirSync, readdirSync } from "node:fs";
 import { createRequire } from "node:module";
 import { dirname, join, resolve } from "node:path";
@@ -56,12 +57,15 @@ async function makePage(entries, files, outdir) {
   cpSync(join(here, "shared/icon.svg"), join(outdir, "icon.svg"));
 }
 
-const client = ["source/main.js", "source/worker.js", "source/style.css"];
+const client = ["main", "worker", "lens_worker", "board_page"].map((name) => `source/${name}.js`);
+client.push("source/style.css");
 await makePage(client, "page", options.page);
 await makePage(["status/source/main.js", "status/source/style.css"], "status/page", options.status);
 
 if (options.tests) {
-  const tests = readdirSync(testFolder, { recursive: true }).filter((f) => f.endsWith(".test.js"));
+  const tests = readdirSync(testFolder, { recursive: true }).filter(
+    (file) => file.endsWith(".test.js") || file.startsWith("tools/"),
+  );
   await build({
     ...common,
     platform: "node",

@@ -19,6 +19,7 @@
 #include "net/connection_limits.h"
 #include "net/limits_in_use.h"
 #include "net/listener.h"
+#include "net/made_files.h"
 #include "net/memory_trim.h"
 #include "net/metrics.h"
 #include "net/quietly.h"
@@ -122,6 +123,7 @@ class Server::Impl {
     admission_.set_limits(config.admission);
     recorder_.reloaded(config.record);
     admin_.set_max_connections(config.connections.admin);
+    made_.forget();
     if (config.admin_pictures) return;
     for (const auto& [id, session] : sessions_) session->forget_picture();
   }
@@ -156,7 +158,7 @@ class Server::Impl {
     web_.emplace(io_, address, config_, limits_, back_off_, metrics_, busy_answer,
                  [this](Listener::Admitted admitted) {
                    auto transport = std::make_unique<WebTransport>(std::move(admitted.socket), tls_,
-                                                                   config_.web_options);
+                                                                   config_.web_options, made_);
                    admit(std::move(admitted), std::move(transport));
                  });
   }
@@ -301,6 +303,7 @@ class Server::Impl {
   std::function<void()> reload_;
   MemoryTrim memory_trim_;
   asio::io_context io_{1};  // one thread: no locks on sockets
+  MadeFiles made_{io_, [this] { return context_->service.markers(); }};
   std::map<std::uint64_t, std::shared_ptr<Connection>> sessions_;
   Admin admin_;
   std::optional<AgentCheck> agent_;

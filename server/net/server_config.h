@@ -5,12 +5,15 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "common/host_port.h"
+#include "frame/frame.h"
 #include "net/access.h"
 #include "protocol/limits.h"
 #include "record/record_options.h"
@@ -50,10 +53,17 @@ struct TlsFiles {
   std::string certificate, key;  // PEM; both or none
 };
 
+// Makes the bytes of a file from the scene's markers. Called on a thread of its own. Throws
+// std::runtime_error with a line for people if there cannot be one.
+using MakeFile = std::function<std::string(const frame::FrameService::MarkerSet&)>;
+
 // What browsers get at the web port.
 struct WebOptions {
   std::span<const web::WebFile> files;  // of the page
   std::string folder;                   // where they are read instead; empty: nowhere
+  // Files that are made when somebody first asks, by what is asked for, as
+  // "/marker-sheet.pdf?paper=a4".
+  std::map<std::string, MakeFile, std::less<>> made;
   // Whose pages may open sessions, as https://example.org:8443. Empty: the server's own page.
   std::vector<std::string> origins;
 };

@@ -92,6 +92,11 @@ std::optional<std::string> read_below(const std::string& folder,
 
 }  // namespace
 
+WebPage made_page(std::string_view path, std::string bytes) {
+  const auto kept = std::make_shared<const std::string>(std::move(bytes));
+  return {web::content_type(path), tag_of(*kept), {}, *kept, kept};
+}
+
 std::optional<WebPage> find_web_page(std::span<const web::WebFile> files, const std::string& folder,
                                      std::string_view path) {
   const std::string whole = path == "/" ? '/' + std::string(kIndex) : std::string(path);

@@ -21,6 +21,9 @@ struct WebPage {
   std::string_view bytes() const { return fixed.data() ? fixed : std::string_view(own); }
 };
 
+// A page of bytes that were made. path: says by its end what they are.
+WebPage made_page(std::string_view path, std::string bytes);
+
 // folder: empty, or where files are read anew for each request instead of looked up in `files`.
 // Nothing if there is no such file. path: as in a request, "/" for the page itself.
 std::optional<WebPage> find_web_page(std::span<const web::WebFile> files, const std::string& folder,

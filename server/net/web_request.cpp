@@ -37,32 +37,59 @@ WebAnswer refusal(http::status status, const std::string& line,
 }
 
 WebAnswer page_answer(const WebRequest& request, const WebOptions& options, std::string_view path) {
-  if (request.method() != http::verb::get && request.method() != http::verb::head) {
-    return refusal(http::status::method_not_allowed, "GET and HEAD only",
-                   {{http::field::allow, "GET, HEAD"}});
-  }
   std::optional<WebPage> page = find_web_page(options.files, options.folder, path);
-  if (!page) {
-    const bool no_page = path == "/" && options.files.empty() && options.folder.empty();
-    return refusal(http::status::not_found,
-                   no_page ? "This server was built without the page." : "there is no such file");
+  if (page) {
+    return file_answer(head_of(http::status::ok), std::move(*page), kContentSecurityPolicy,
+                       request);
   }
-  return file_answer(head_of(http::status::ok), std::move(*page), kContentSecurityPolicy, request);
+  const bool no_page = path == "/" && options.files.empty() && options.folder.empty();
+  return refusal(http::status::not_found,
+                 no_page ? "This server was built without the page." : "there is no such file");
+}
+
+// What may be asked for instead; empty if nothing of the path is made.
+std::string choices(const WebOptions& options, const std::string& path) {
+  std::string text;
+  for (const auto& [target, make] : options.made) {
+    if (target.starts_with(path + '?')) text += (text.empty() ? "" : " or ") + target;
+  }
+  return text;
 }
 
 }  // namespace
 
-std::variant<Upgrade, WebAnswer> judge(const WebRequest& request, const WebOptions& options) {
+std::variant<Upgrade, WebAnswer, MadeFile> judge(const WebRequest& request,
+                                                 const WebOptions& options) {
+  const beast::string_view target = request.target();
+  const std::string_view whole(target.data(), target.size());
   const std::string_view path = path_of(request);
-  if (path != kSessionPath) return page_answer(request, options, path);
-  if (!beast::websocket::is_upgrade(request)) {
-    return refusal(http::status::upgrade_required, "sessions are held over WebSocket",
-                   {{http::field::upgrade, "websocket"}});
+  if (path == kSessionPath) {
+    if (!beast::websocket::is_upgrade(request)) {
+      return refusal(http::status::upgrade_required, "sessions are held over WebSocket",
+                     {{http::field::upgrade, "websocket"}});
+    }
+    if (!is_welcome(request, options.origins)) {
+      return refusal(http::status::forbidden, "pages from there may not open sessions here");
+    }
+    return Upgrade{};
   }
-  if (!is_welcome(request, options.origins)) {
-    return refusal(http::status::forbidden, "pages from there may not open sessions here");
+  if (request.method() != http::verb::get && request.method() != http::verb::head) {
+    return refusal(http::status::method_not_allowed, "GET and HEAD only",
+                   {{http::field::allow, "GET, HEAD"}});
   }
-  return Upgrade{};
+  if (options.made.contains(whole)) return MadeFile{std::string(whole)};
+  if (const std::string known = choices(options, std::string(path)); !known.empty()) {
+    return refusal(http::status::not_found, "there is " + known);
+  }
+  return page_answer(request, options, path);
+}
+
+WebAnswer answer_with(const WebRequest& request, const MadeFiles::Result& made) {
+  if (const auto* missing = std::get_if<MadeFiles::Missing>(&made)) {
+    return refusal(http::status::not_found, missing->why);
+  }
+  return file_answer(head_of(http::status::ok), std::get<WebPage>(made), kContentSecurityPolicy,
+                     request);
 }
 
 WebAnswer answer_to_garbage(bool too_long, const std::string& defect) {

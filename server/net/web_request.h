@@ -1,5 +1,5 @@
-// What a browser asks the web port for: the files of the page, or a session (RFC 6455). Decides;
-// knows no sockets.
+// What a browser asks the web port for: the files of the page, files that are made for it, or a
+// session (RFC 6455). Decides; knows no sockets.
 #pragma once
 
 #include <boost/beast/http/empty_body.hpp>
@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "net/made_files.h"
 #include "net/server_config.h"
 #include "net/web_answer.h"
 
@@ -21,7 +22,16 @@ inline constexpr std::string_view kSessionPath = "/session";
 
 struct Upgrade {};
 
-std::variant<Upgrade, WebAnswer> judge(const WebRequest& request, const WebOptions& options);
+// One of WebOptions::made, which may take a while.
+struct MadeFile {
+  std::string target;
+};
+
+std::variant<Upgrade, WebAnswer, MadeFile> judge(const WebRequest& request,
+                                                 const WebOptions& options);
+
+// When that file is there, or cannot be.
+WebAnswer answer_with(const WebRequest& request, const MadeFiles::Result& made);
 
 // For what is no request at all. defect: a line for people.
 WebAnswer answer_to_garbage(bool too_long, const std::string& defect);

@@ -37,10 +37,12 @@ bool is_gone(const boost::system::error_code& ec) {
 
 }  // namespace
 
-WebTransport::WebTransport(asio::ip::tcp::socket socket, TlsContext tls, const WebOptions& options)
+WebTransport::WebTransport(asio::ip::tcp::socket socket, TlsContext tls, const WebOptions& options,
+                           MadeFiles& made)
     : stream_(std::move(socket)),
       tls_(std::move(tls)),
       options_(options),
+      made_(made),
       buffer_(kMaxHeaderBytes + kPieceBytes) {}
 
 // --- before the session ---
@@ -67,15 +69,28 @@ void WebTransport::read_request(OnOpened done, OnServed served) {
 void WebTransport::on_request(const ErrorCode& ec, OnOpened done, OnServed served) {
   if (ec && is_gone(ec)) return done(ec, Opened::Nothing);
   if (ec) {
-    answer_ = answer_to_garbage(ec == http::error::header_limit, ec.message());
-  } else {
-    auto judged = judge(parser_->get(), options_);
-    const bool upgrades = std::holds_alternative<Upgrade>(judged);
-    if (upgrades && buffer_.size() == 0) return upgrade(std::move(done));
-    // WebSocket's frames may come only after the answer.
-    answer_ = upgrades ? answer_to_garbage(false, "something came behind the request")
-                       : std::get<WebAnswer>(std::move(judged));
+    return say(answer_to_garbage(ec == http::error::header_limit, ec.message()), std::move(done),
+               std::move(served));
   }
+  auto judged = judge(parser_->get(), options_);
+  if (const auto* file = std::get_if<MadeFile>(&judged)) {
+    // Whoever has gone meanwhile is noticed when the answer is written; done keeps this alive.
+    return made_.get(file->target, options_.made.find(file->target)->second,
+                     [this, done, served](const MadeFiles::Result& result) {
+                       guarded([&](const ErrorCode& thrown) { done(thrown, Opened::Nothing); },
+                               [&] { say(answer_with(parser_->get(), result), done, served); });
+                     });
+  }
+  const bool upgrades = std::holds_alternative<Upgrade>(judged);
+  if (upgrades && buffer_.size() == 0) return upgrade(std::move(done));
+  // WebSocket's frames may come only after the answer.
+  say(upgrades ? answer_to_garbage(false, "something came behind the request")
+               : std::get<WebAnswer>(std::move(judged)),
+      std::move(done), std::move(served));
+}
+
+void WebTransport::say(WebAnswer answer, OnOpened done, OnServed served) {
+  answer_ = std::move(answer);
   asio::const_buffer head = asio::buffer(answer_.head);
   stream_.write(head, [this, done, served](const ErrorCode& failed, std::size_t) {
     if (failed) return done(failed, Opened::Nothing);

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "net/beast_stream.h"
+#include "net/made_files.h"
 #include "net/server_config.h"
 #include "net/tls.h"
 #include "net/transport.h"
@@ -18,8 +19,9 @@ namespace amalgam::net {
 
 class WebTransport final : public Transport {
  public:
-  // tls: null, or what to encrypt with. options: outlive the transport.
-  WebTransport(boost::asio::ip::tcp::socket socket, TlsContext tls, const WebOptions& options);
+  // tls: null, or what to encrypt with. options and made outlive the transport.
+  WebTransport(boost::asio::ip::tcp::socket socket, TlsContext tls, const WebOptions& options,
+               MadeFiles& made);
 
   void open(OnOpened done, OnServed served) override;
   void read(boost::asio::mutable_buffer buffer, OnReceived done) override;
@@ -35,6 +37,7 @@ class WebTransport final : public Transport {
   void read_request(OnOpened done, OnServed served);
   void on_request(const ErrorCode& ec, OnOpened done, OnServed served);
   void upgrade(OnOpened done);
+  void say(WebAnswer answer, OnOpened done, OnServed served);
   void write_answer(std::string_view rest, OnOpened done, OnServed served);
   void write_next(OnSize done);
   Received received(std::size_t size);
@@ -43,6 +46,7 @@ class WebTransport final : public Transport {
   BeastStream http_{stream_};
   TlsContext tls_;
   const WebOptions& options_;
+  MadeFiles& made_;
   boost::beast::flat_buffer buffer_;
   std::optional<boost::beast::http::request_parser<boost::beast::http::empty_body>> parser_;
   WebAnswer answer_;

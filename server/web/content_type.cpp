@@ -18,6 +18,7 @@ constexpr std::array kTypes{
     Entry{".map", "application/json"},
     Entry{".mjs", "text/javascript; charset=utf-8"},
     Entry{".mp4", "video/mp4"},
+    Entry{".pdf", "application/pdf"},
     Entry{".png", "image/png"},
     Entry{".svg", "image/svg+xml"},
     Entry{".txt", "text/plain; charset=utf-8"},

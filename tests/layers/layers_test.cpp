@@ -28,7 +28,7 @@ Rules project_rules() {
 
 std::vector<SourceFile> project_files() {
   std::vector<SourceFile> files;
-  for (const char* folder : {"protocol", "tracking", "server", "client", "shaders"}) {
+  for (const char* folder : {"protocol", "tracking", "sheet", "server", "client", "shaders"}) {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(kProject / folder)) {
       const std::string extension = entry.path().extension().string();
       if (extension != ".h" && extension != ".cpp") continue;

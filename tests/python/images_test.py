@@ -109,6 +109,18 @@ def test_calibrations(tmp_path):
                    "distortion_model: plumb_bob\n"
                    "distortion_coefficients:\n  rows: 1\n  cols: 5\n  data: [0.1, -0.2, 0, 0, 0.3]\n")
     assert amalgam.Camera.from_file(ros) == expected
+    kalibr = tmp_path / "kalibr.yaml"
+    kalibr.write_text("cam0:\n  camera_model: pinhole\n  intrinsics: [600, 610, 319.5, 239.5]\n"
+                      "  distortion_model: radtan\n  distortion_coeffs: [0.1, -0.2, 0.01, 0.02]\n"
+                      "  resolution: [640, 480]\n")
+    radtan = amalgam.Camera(640, 480, 600, 610, 319.5, 239.5, (0.1, -0.2, 0.01, 0.02))
+    assert amalgam.Camera.from_file(kalibr) == radtan
+    for text, why in ((kalibr.read_text().replace("radtan", "equidistant"), "model pinhole-equidistant"),
+                      (kalibr.read_text() + "cam1:\n  camera_model: pinhole\n", "several cameras"),
+                      (kalibr.read_text().replace("600, ", ""), "4 intrinsics")):
+        bad.write_text(text)
+        with pytest.raises(amalgam.LimitError, match=why):
+            amalgam.Camera.from_file(bad)
     for text in ("", "a: 1\n", ros.read_text().replace("plumb_bob", "equidistant"),
                  ros.read_text().replace("0, 0, 1]", "0, 0, 2]"), "{ \"", "\x00"):
         bad.write_text(text)

@@ -8,10 +8,10 @@
 
 #include "client/tools/inspect/inspect_report.h"
 #include "client/tools/marker/scene_markers.h"
-#include "client/tools/marker/sheet_file.h"
 #include "common/build_info.h"
 #include "common/run_program.h"
 #include "scene/gltf/loader.h"
+#include "sheet/sheet_file.h"
 
 namespace {
 
@@ -43,13 +43,10 @@ std::vector<tools::Inspection::LightError> light_errors(const scene::Environment
 }
 
 void write_markers(const Options& options, const scene::Scene& scene) {
-  tools::SheetOptions sheet = tools::markers_of(scene);
-  sheet.title = std::filesystem::path(options.scene).filename().string();
-  if (options.paper == "letter") {
-    sheet.page_width = tools::kLetterWidth;
-    sheet.page_height = tools::kLetterHeight;
-  }
-  tools::write_sheet(options.marker_sheet, tools::lay_out_markers(sheet));
+  sheet::SheetOptions wanted = tools::markers_of(scene);
+  wanted.title = std::filesystem::path(options.scene).filename().string();
+  sheet::set_paper(wanted, options.paper == "A4" ? "a4" : options.paper);
+  sheet::write_sheet(options.marker_sheet, sheet::lay_out_markers(wanted));
 }
 
 void inspect(const Options& options) {

@@ -4,10 +4,11 @@
 #include <string>
 
 #include "client/tools/marker/scene_markers.h"
-#include "client/tools/marker/sheet_file.h"
+#include "client/tracking/board_description.h"
 #include "common/build_info.h"
 #include "common/run_program.h"
 #include "scene/gltf/loader.h"
+#include "sheet/sheet_file.h"
 
 namespace {
 
@@ -15,7 +16,7 @@ using namespace amalgam;
 
 struct Options {
   std::string scene, output = "markers.pdf";
-  tools::SheetOptions sheet{.ids = {40}};
+  sheet::SheetOptions sheet{.ids = {40}};
   std::string charuco;
   bool letter = false;
 };
@@ -25,19 +26,16 @@ void run(Options& options) {
     options.sheet = tools::markers_of(scene::load_scene(options.scene));
     options.sheet.title = options.scene;
   }
-  if (options.letter) {
-    options.sheet.page_width = tools::kLetterWidth;
-    options.sheet.page_height = tools::kLetterHeight;
-  }
+  if (options.letter) sheet::set_paper(options.sheet, "letter");
   if (!options.charuco.empty()) {
     options.sheet.title = "--charuco " + options.charuco + ", " + options.sheet.dictionary;
-    const client::RegularBoard board = client::parse_charuco(options.charuco);
-    tools::write_sheet(options.output, tools::lay_out_charuco(options.sheet, board));
+    const tracking::RegularBoard board = client::parse_charuco(options.charuco);
+    sheet::write_sheet(options.output, sheet::lay_out_charuco(options.sheet, board));
     std::cout << options.output << ": for amalgam-client --charuco " << options.charuco
               << ", with --calibrate too. Print it at 100 %, or show it on a flat screen.\n";
     return;
   }
-  tools::write_sheet(options.output, tools::lay_out_markers(options.sheet));
+  sheet::write_sheet(options.output, sheet::lay_out_markers(options.sheet));
   std::cout << options.output << ": " << options.sheet.ids.size()
             << " markers. Print it at 100 % (no \"fit to page\"), then measure a black square: "
             << 1000.0 * options.sheet.length << " mm.\n";

@@ -1,12 +1,12 @@
 // The markers that a scene needs on paper.
 #pragma once
 
-#include "client/tools/marker/marker_sheet.h"
 #include "scene/scene.h"
+#include "sheet/marker_sheet.h"
 
 namespace amalgam::tools {
 
 // All markers that something in the scene stands on, the world marker first.
-SheetOptions markers_of(const scene::Scene& scene);
+sheet::SheetOptions markers_of(const scene::Scene& scene);
 
 }  // namespace amalgam::tools

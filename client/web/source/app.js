@@ -23,16 +23,26 @@ export class App {
   #markers = null; // of the server's Welcome
   #markerSeenAt = 0;
   #started = false;
+  #lenses;
+  #watcher = null; // who has the camera's pictures instead of a session
 
-  /** @param {object} page video, view, notice, readout, chip(words, kind), cameras(deviceId) */
-  constructor(page, settings) {
+  /**
+   * @param {object} page video, view, notice, readout, chip(words, kind), cameras(deviceId) and
+   *   lens(camera), which is told the measured lens in use, or null
+   * @param {object} settings of settings.js
+   * @param {Lenses} lenses
+   */
+  constructor(page, settings, lenses) {
     this.#page = page;
     this.#settings = settings;
+    this.#lenses = lenses;
     this.outlines = settings.markers;
     const { video } = page;
     onEachFrame(video, (captured) => this.#onVideo(captured));
     // A phone that is turned, for example: a session is for one size of pictures.
-    video.addEventListener("resize", () => this.#started && this.#openSession());
+    video.addEventListener("resize", () => {
+      if (this.#started && !this.#watcher) this.#openSession();
+    });
     addEventListener("online", () => this.#session?.retryNow());
     addEventListener("pagehide", () => this.#session?.close());
   }
@@ -70,26 +80,75 @@ export class App {
     this.#session?.retryNow();
   }
 
+  /**
+   * Gives the camera's pictures to somebody else, and ends the session.
+   * @param {{frame: (video: HTMLVideoElement) => void, ended: () => void}} watcher
+   * @returns {Promise<boolean>} whether there is a camera
+   */
+  async lend(watcher) {
+    if (!this.#started) await this.start();
+    if (!this.#started) return false;
+    this.#closeSession();
+    this.#page.notice.show(null);
+    this.#page.chip("measuring the lens", "closed");
+    this.#watcher = watcher;
+    return true;
+  }
+
+  takeBack() {
+    this.#watcher = null;
+    if (this.#started) this.#openSession();
+  }
+
+  /** From now on the lens of this camera, for pictures of this size, instead of a file. */
+  keepLens(lens, width, height) {
+    this.#settings = { ...this.#settings, calibration: null };
+    this.#lenses.keep(this.#deviceId, width, height, lens);
+  }
+
+  forgetLens() {
+    const { width, height } = this.#size;
+    this.#lenses.forget(this.#deviceId, width, height);
+    if (this.#started) this.#openSession();
+  }
+
   #stop() {
     this.#started = false;
-    this.#endLoop();
-    this.#session?.close();
-    this.#session = null;
+    this.#closeSession();
+    this.#watcher?.ended();
+    this.#watcher = null;
     closeCamera(this.#page.video);
   }
 
-  #camera() {
-    const { videoWidth, videoHeight } = this.#page.video;
-    const { width, height } = sentSize(videoWidth, videoHeight);
-    const { calibration, fieldOfView } = this.#settings;
-    if (!calibration) return cameraFromFieldOfView(fieldOfView, width, height);
-    return fitToImage(parseCalibration(calibration.text), width, height);
+  get #deviceId() {
+    return this.#page.video.srcObject?.getVideoTracks()[0]?.getSettings().deviceId ?? "";
   }
 
-  #openSession() {
+  get #size() {
+    return sentSize(this.#page.video.videoWidth, this.#page.video.videoHeight);
+  }
+
+  // A chosen file comes first, then a measured lens.
+  #camera() {
+    const { width, height } = this.#size;
+    const { calibration, fieldOfView } = this.#settings;
+    const lens = calibration ? null : this.#lenses.find(this.#deviceId, width, height);
+    const text = calibration?.text ?? lens?.text;
+    const camera = text
+      ? fitToImage(parseCalibration(text), width, height)
+      : cameraFromFieldOfView(fieldOfView, width, height);
+    this.#page.lens(lens ? { camera, error: lens.error } : null);
+    return camera;
+  }
+
+  #closeSession() {
     this.#endLoop();
     this.#session?.close();
     this.#session = null;
+  }
+
+  #openSession() {
+    this.#closeSession();
     const { server, token, steady } = this.#settings;
     try {
       const camera = this.#camera();
@@ -147,7 +206,8 @@ export class App {
 
   #onVideo(captured) {
     if (!this.#started) return;
-    if (this.#loop) this.#loop.capture(this.#page.video, captured);
+    if (this.#watcher) this.#watcher.frame(this.#page.video);
+    else if (this.#loop) this.#loop.capture(this.#page.video, captured);
     else this.#page.view.showVideo(this.#page.video);
   }
 
@@ -167,11 +227,17 @@ export class App {
   async #show(composite, frame) {
     const received = performance.now();
     const { picture } = frame;
+    const loop = this.#loop;
     const bitmap = composite.unchanged
       ? picture
       : await createImageBitmap(new Blob([composite.jpeg], { type: "image/jpeg" }));
     const decoded = performance.now();
-    if (!this.#loop) return; // ended meanwhile
+    if (this.#loop !== loop) {
+      // Ended meanwhile, and perhaps another one has begun.
+      picture.close();
+      bitmap.close();
+      return;
+    }
     const { view, readout } = this.#page;
     view.show({ composite: bitmap, picture });
     const used = new Set(composite.poses.map(({ marker }) => marker));

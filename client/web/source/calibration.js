@@ -1,6 +1,7 @@
-// Reads a camera's calibration: OpenCV's YAML and JSON, and ROS's and Kalibr's YAML. The native
+// Reads a camera's calibration: OpenCV's YAML, JSON and XML, and ROS's and Kalibr's YAML. The native
 // client reads the same (client/tracking/calibration_file.cpp) and scales them in the same way.
 import { DEFAULT_SCHEMA, load, Type } from "js-yaml";
+import { parseXml } from "./calibration_xml.js";
 
 const opencvTypes = ["opencv-matrix", "opencv-nd-matrix"].map(
   (name) => new Type(`tag:yaml.org,2002:${name}`, { kind: "mapping", construct: (map) => map }),
@@ -50,10 +51,11 @@ function numbers(node, what) {
 function parse(text) {
   try {
     if (text.trimStart().startsWith("{")) return JSON.parse(text);
+    if (text.trimStart().startsWith("<")) return parseXml(text);
     // OpenCV's head, "%YAML:1.0", is not YAML.
     return load(text.replace(/^%YAML.*$/m, ""), { schema });
   } catch (error) {
-    throw new Error(`The file is neither YAML nor JSON (${error.message.split("\n")[0]}).`);
+    throw new Error(`The file is neither YAML nor JSON nor XML (${error.message.split("\n")[0]}).`);
   }
 }
 

@@ -12,6 +12,7 @@ const ANSWER_TIMEOUT_MS = 4000; // a frame that is not answered by then gives it
  * @property {ImageBitmap} [picture] what was sent
  * @property {{marker: number, pixels: number[]}[]} [corners]
  * @property {{read: number, search: number, encode: number}} [times] ms
+ * @property {boolean} [isAnswered] the listener has it, and its picture is the listener's
  */
 
 export class FrameLoop {
@@ -64,8 +65,12 @@ export class FrameLoop {
       if (id < composite.frameId) this.#drop(id);
     }
     if (!frame) return;
-    await this.#listener.answered(composite, frame);
-    this.#underWay.delete(composite.frameId);
+    frame.isAnswered = true;
+    try {
+      await this.#listener.answered(composite, frame);
+    } finally {
+      this.#underWay.delete(composite.frameId);
+    }
     const now = performance.now();
     this.#pace.shown(now - frame.captured, now);
   }
@@ -105,8 +110,8 @@ export class FrameLoop {
 
   #dropUnanswered() {
     const now = performance.now();
-    for (const [id, { captured }] of [...this.#underWay]) {
-      if (now - captured > ANSWER_TIMEOUT_MS) {
+    for (const [id, { captured, isAnswered }] of [...this.#underWay]) {
+      if (!isAnswered && now - captured > ANSWER_TIMEOUT_MS) {
         this.#drop(id);
         this.#listener.lost();
       }
@@ -114,7 +119,8 @@ export class FrameLoop {
   }
 
   #drop(id) {
-    this.#underWay.get(id)?.picture?.close();
+    const frame = this.#underWay.get(id);
+    if (!frame?.isAnswered) frame?.picture?.close();
     this.#underWay.delete(id);
   }
 }

@@ -2,10 +2,13 @@
 import { App } from "./app.js";
 import { CompositeView } from "./composite_view.js";
 import { connectControls, togglePanel } from "./controls.js";
+import { Lenses, localStorageOrNone } from "./lenses.js";
 import { Notice } from "./notice.js";
 import { Readout } from "./readout.js";
 import { loadSettings, saveSettings } from "./settings.js";
 import { SettingsForm } from "./settings_form.js";
+import { hasSheet, showSheets } from "./sheets.js";
+import { Wizard } from "./wizard.js";
 
 const element = (id) => document.getElementById(id);
 
@@ -59,9 +62,42 @@ const page = {
     element("picture").classList.add("started");
     await form.listCameras(deviceId);
   },
+  lens: (lens) => form.showLens(lens),
 };
-const app = new App(page, settings);
+const app = new App(page, settings, new Lenses(localStorageOrNone()));
 connectControls(view, settings, (markers) => {
   app.outlines = markers;
   keep({ markers });
 });
+
+const wizardParts = ["state", "error", "finish", "use", "save", "again", "cancel"].map((name) => [
+  name,
+  element(`wizard-${name}`),
+]);
+const wizard = new Wizard(
+  { ...Object.fromEntries(wizardParts), card: element("wizard"), coverage: element("coverage") },
+  view,
+  {
+    lend: (watcher) => app.lend(watcher),
+    takeBack: () => app.takeBack(),
+    use: (lens, width, height) => {
+      form.forgetFile(); // or it would come first
+      keep({ calibration: null });
+      app.keepLens(lens, width, height);
+    },
+  },
+);
+element("lens-measure").addEventListener("click", () => {
+  togglePanel(false); // on phones it would leave no room for the picture
+  wizard.open();
+  offerSheets(".board-sheets", "lens-board.pdf");
+});
+element("lens-forget").addEventListener("click", () => app.forgetLens());
+
+// Sheets are of the scene of the page's own server.
+async function offerSheets(selector, file) {
+  if (settings.server === "" && (await hasSheet(file))) {
+    showSheets(document.querySelectorAll(selector), file);
+  }
+}
+offerSheets(".marker-sheets", "marker-sheet.pdf");

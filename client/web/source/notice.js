@@ -35,6 +35,7 @@ export class Notice {
     card.hidden = notice === null;
     if (notice === null) return;
     card.dataset.level = notice.level;
+    card.toggleAttribute("data-prints", notice.prints === true);
     title.textContent = notice.title;
     text.textContent = notice.text;
     this.#action = notice.action;

@@ -1,8 +1,8 @@
-// Saves what the canvas shows: one picture, or a film.
+// Saves what the canvas shows, one picture or a film, and other files.
 
 const TYPES = ["video/mp4;codecs=avc1.42E01E", "video/webm;codecs=vp9", "video/webm"];
 
-function save(blob, name) {
+export function saveFile(blob, name) {
   const link = document.createElement("a");
   link.href = URL.createObjectURL(blob);
   link.download = name;
@@ -21,7 +21,7 @@ function fileName(extension) {
 /** @param {HTMLCanvasElement} canvas */
 export async function saveSnapshot(canvas) {
   const blob = await new Promise((resolve) => canvas.toBlob(resolve, "image/png"));
-  if (blob) save(blob, fileName("png"));
+  if (blob) saveFile(blob, fileName("png"));
 }
 
 export class FilmRecorder {
@@ -43,7 +43,7 @@ export class FilmRecorder {
     recorder.ondataavailable = ({ data }) => chunks.push(data);
     recorder.onstop = () => {
       const type = recorder.mimeType.split(";")[0];
-      save(new Blob(chunks, { type }), fileName(type === "video/mp4" ? "mp4" : "webm"));
+      saveFile(new Blob(chunks, { type }), fileName(type === "video/mp4" ? "mp4" : "webm"));
     };
     recorder.start();
     this.#recorder = recorder;

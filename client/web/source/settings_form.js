@@ -7,6 +7,7 @@ const element = (id) => document.getElementById(id);
 
 export class SettingsForm {
   #calibration = null;
+  #lens = null; // {camera, error}: measured and in use
 
   /**
    * @param {object} settings of settings.js
@@ -17,9 +18,7 @@ export class SettingsForm {
     element("fov").addEventListener("input", () => this.#say());
     element("quality").addEventListener("input", () => this.#say());
     element("calibration").addEventListener("change", () => this.#readCalibration());
-    element("calibration-clear").addEventListener("click", () => {
-      this.#setCalibration(null);
-    });
+    element("calibration-clear").addEventListener("click", () => this.forgetFile());
     element("settings").addEventListener("submit", (event) => {
       event.preventDefault();
       apply(this.values());
@@ -48,6 +47,17 @@ export class SettingsForm {
     element("device").value = cameras.some(({ deviceId }) => deviceId === current) ? current : "";
   }
 
+  /** @param {{camera: object, error: number} | null} lens that was measured and is in use */
+  showLens(lens) {
+    this.#lens = lens;
+    this.#say();
+  }
+
+  /** The calibration file that was chosen. */
+  forgetFile() {
+    this.#setCalibration(null);
+  }
+
   #fill(settings) {
     element("device").append(new Option("as last time", settings.deviceId));
     element("device").value = settings.deviceId;
@@ -64,6 +74,14 @@ export class SettingsForm {
   #say() {
     element("fov-value").textContent = `${element("fov").value}°`;
     element("quality-value").textContent = `${element("quality").value} %`;
+    element("fov").disabled = this.#calibration !== null || this.#lens !== null;
+    element("lens-state").hidden = this.#lens === null;
+    element("lens-forget").hidden = this.#lens === null;
+    if (!this.#lens) return;
+    const { camera, error } = this.#lens;
+    const degrees = fieldOfView(camera).toFixed(1);
+    element("lens-state").textContent =
+      `Measured for this camera and size: ${degrees}° wide, to ${error.toFixed(2)} pixels.`;
   }
 
   async #readCalibration() {
@@ -90,7 +108,6 @@ export class SettingsForm {
     }
     element("calibration").value = "";
     element("calibration-clear").hidden = this.#calibration === null;
-    element("fov").disabled = this.#calibration !== null;
     this.#say();
   }
 }

@@ -1,6 +1,6 @@
 // What the page says about its state, in plain words. A notice is
-//   {level: "info" | "warn" | "error", title, text, action}
-// action: "retry", "start", "settings" or none.
+//   {level: "info" | "warn" | "error", title, text, action, prints}
+// action: "retry", "start", "settings" or none. prints: whether links to printed markers help.
 
 const CAMERA = {
   insecure: {
@@ -108,6 +108,7 @@ export function noMarkerNotice({ dictionary, ids, length }) {
     text:
       `Point the camera at ${words} (${dictionary}, ${(length * 1000).toFixed(0)} mm wide). ` +
       "It must lie flat, with its white margin, and without glare.",
+    prints: true,
   };
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <map>
@@ -87,6 +88,12 @@ class StubFrameService final : public frame::FrameService {
     load_ = load;
   }
 
+  // How long each frame takes from now on, without using a processor.
+  void set_cost(std::chrono::milliseconds cost) {
+    const std::lock_guard lock(mutex_);
+    cost_ = cost;
+  }
+
   // From here on frames are taken but not finished, until release().
   void hold() {
     const std::lock_guard lock(mutex_);
@@ -162,6 +169,7 @@ class StubFrameService final : public frame::FrameService {
       ++taken_;
       changed_.notify_all();
       changed_.wait(lock, [&] { return !held_ || ending_; });
+      changed_.wait_for(lock, cost_, [&] { return ending_; });
       const auto still_open = views_.find(id);
       if (still_open != views_.end()) still_open->second.deliver(frame.id, render(frame.input));
     }
@@ -199,6 +207,7 @@ class StubFrameService final : public frame::FrameService {
   frame::ViewId last_view_ = 0;
   std::size_t opened_ = 0, submitted_ = 0, taken_ = 0;
   bool held_ = false, ending_ = false;
+  std::chrono::milliseconds cost_{0};
   std::thread renderer_;  // last: begins when everything else is there
 };
 

@@ -82,6 +82,40 @@ TEST(WebRequest, MethodsAndPathsThatThereAreNot) {
   EXPECT_THAT(said(get("/"), WebOptions{}), HasSubstr("built without the page"));
 }
 
+TEST(WebRequest, WhatHasToBeMadeIsLeftToTheCaller) {
+  WebOptions with_sheets = options();
+  const MakeFile make = [](const frame::FrameService::MarkerSet&) { return std::string(); };
+  with_sheets.made = {{"/sheet.pdf?paper=a4", make}, {"/sheet.pdf?paper=letter", make}};
+  const WebRequest wanted = get("/sheet.pdf?paper=letter");
+  const auto judged = judge(wanted, with_sheets);
+  ASSERT_TRUE(std::holds_alternative<MadeFile>(judged));
+  EXPECT_EQ(std::get<MadeFile>(judged).target, "/sheet.pdf?paper=letter");
+  for (const char* other : {"/sheet.pdf", "/sheet.pdf?paper=a3", "/sheet.pdf?paper=a4&x"}) {
+    const std::string refused = said(get(other), with_sheets);
+    EXPECT_THAT(refused, StartsWith("HTTP/1.1 404 ")) << other;
+    EXPECT_THAT(refused, HasSubstr("there is /sheet.pdf?paper=a4 or /sheet.pdf?paper=letter"));
+  }
+  EXPECT_THAT(said(get("/sheet"), with_sheets), HasSubstr("there is no such file"));
+  WebRequest post = wanted;
+  post.method(http::verb::post);
+  EXPECT_THAT(said(post, with_sheets), StartsWith("HTTP/1.1 405 "));
+}
+
+TEST(WebRequest, WhatWasMadeIsAFileLikeOthers) {
+  const auto text = [](const WebAnswer& answer) {
+    return answer.head + std::string(answer.page.bytes());
+  };
+  WebRequest request = get("/sheet.pdf?paper=a4");
+  const MadeFiles::Result made = made_page("/sheet.pdf", "%PDF");
+  EXPECT_THAT(text(answer_with(request, made)), HasSubstr("Content-Type: application/pdf\r\n"));
+  EXPECT_THAT(text(answer_with(request, made)), testing::EndsWith("\r\n\r\n%PDF"));
+  request.set(field::if_none_match, std::get<WebPage>(made).tag);
+  EXPECT_THAT(text(answer_with(request, made)), StartsWith("HTTP/1.1 304 "));
+  const std::string missing = text(answer_with(request, MadeFiles::Missing{"it is too large"}));
+  EXPECT_THAT(missing, StartsWith("HTTP/1.1 404 "));
+  EXPECT_THAT(missing, testing::EndsWith("\r\n\r\nit is too large\n"));
+}
+
 TEST(WebRequest, SessionsAreForTheOwnPageAndForPrograms) {
   EXPECT_EQ(said(upgrade()), "");
   EXPECT_EQ(said(upgrade("http://desk.example:7449")), "");

@@ -10,12 +10,11 @@
 #include <opencv2/aruco/charuco.hpp>
 
 #include "client/tracking/board_description.h"
-#include "client/tracking/marker_dictionary.h"
+#include "tracking/marker_dictionary.h"
 
 namespace amalgam::tracking {
 namespace {
 
-using client::find_dictionary;
 using client::load_board;
 using client::parse_charuco_board;
 using client::parse_grid_board;

@@ -41,16 +41,17 @@ const friendly = {
   cameraFrame: (frame, send) => send("composite", { ...unchanged(frame), poses: poses(frame) }),
 };
 
-/** Runs f with a page and a server, and sees to it that both end and that nothing went wrong. */
-async function withPage({ answers = friendly, ...options }, f) {
+/**
+ * Runs f with a page and a server, and sees to it that both end and that nothing went wrong.
+ * expected: what the browser may complain about
+ */
+async function withPage({ answers = friendly, expected = /^WebSocket connection to/, ...options }, f) {
   const server = new StubServer(PAGE, answers);
   const address = await server.listen();
   const opened = await openPage(options);
   try {
     await f({ ...opened, server, address });
-    const complaints = opened.complaints.filter(
-      (text) => !text.includes("WebSocket connection to"),
-    );
+    const complaints = opened.complaints.filter((text) => !expected.test(text));
     assert.deepEqual(complaints, []); // what the content security policy forbids is among them
   } finally {
     await opened.close();
@@ -140,6 +141,75 @@ test("without a marker it says which one to look for", { skip }, async () => {
     await startCamera(page, address);
     await textMatches(page, "#notice-title", /No marker in view/);
     assert.match(await page.textContent("#notice-text"), /marker 7 \(DICT_6X6_250, 50 mm wide\)/);
+  });
+});
+
+test("markers to print are offered, the user's paper first", { skip }, async () => {
+  for (const [locale, first] of [
+    ["de-AT", "A4"],
+    ["en-US", "US Letter"],
+  ]) {
+    const options = { film: film("marker"), page: { locale } };
+    await withPage(options, async ({ page, address }) => {
+      await page.goto(address);
+      const links = page.locator("#notice .links a");
+      await links.first().waitFor();
+      assert.equal(await links.first().textContent(), first);
+      const targets = await links.evaluateAll((all) => all.map(({ href }) => href).sort());
+      const sheet = `${address}marker-sheet.pdf?paper=`;
+      assert.deepEqual(targets, [`${sheet}a4`, `${sheet}letter`]);
+      // Beside other news they would be in the way.
+      await page.getByRole("button", { name: "Start the camera" }).click();
+      await textMatches(page, "#summary", /fps/);
+      assert.ok(await page.isHidden("#notice"));
+    });
+  }
+});
+
+test("a scene that cannot be printed has no such links", { skip }, async () => {
+  const server = new StubServer(PAGE, friendly);
+  server.prints = false;
+  const address = await server.listen();
+  const { page, close } = await openPage({ film: film("marker") });
+  try {
+    const asked = page.waitForResponse(/marker-sheet/);
+    await page.goto(address);
+    assert.equal((await asked).status(), 404);
+    await page.waitForTimeout(200);
+    assert.ok(await page.isHidden("#notice .marker-sheets"));
+  } finally {
+    await close();
+    await server.close();
+  }
+});
+
+test("calibrations are read as YAML and as XML", { skip }, async () => {
+  const matrix = (rows, cols, data) =>
+    `type_id="opencv-matrix"><rows>${rows}</rows><cols>${cols}</cols><dt>d</dt><data>${data}</data>`;
+  const xml = `<?xml version="1.0"?>
+<opencv_storage>
+<image_width>320</image_width><image_height>240</image_height>
+<camera_matrix ${matrix(3, 3, "300. 0. 160. 0. 301. 120. 0. 0. 1.")}</camera_matrix>
+<distortion_coefficients ${matrix(5, 1, "1.e-01 -2.e-02 0. 0. 0.")}</distortion_coefficients>
+</opencv_storage>`;
+  // With damaged XML Chromium makes a document whose style the page's policy forbids.
+  const options = { film: film("marker"), expected: /^Applying inline style/ };
+  await withPage(options, async ({ page, server, address }) => {
+    await page.goto(address);
+    await page.keyboard.press("p");
+    const choose = (name, text) =>
+      page.setInputFiles("#calibration", { name, mimeType: "text/plain", buffer: Buffer.from(text) });
+    await choose("wrong.xml", "<svg/>");
+    await textMatches(page, "#calibration-state", /it is XML, but not OpenCV's/);
+    await choose("broken.xml", "<opencv_storage><a>");
+    await textMatches(page, "#calibration-state", /broken\.xml: .*the XML is damaged/);
+    await choose("lens.xml", xml);
+    await textMatches(page, "#calibration-state", /lens\.xml: fx 300\.0, 56\.1° wide/);
+    await page.getByRole("button", { name: "Apply" }).click();
+    await textMatches(page, "#chip", /^connected/);
+    const { camera } = server.received[0].value;
+    assert.deepEqual([camera.fx, camera.fy, camera.cx, camera.cy], [300, 301, 160, 120]);
+    assert.deepEqual(camera.distortion, [0.1, -0.02, 0, 0, 0]);
   });
 });
 

@@ -92,6 +92,26 @@ test("the page shows what the native client gets for the same frame", { skip }, 
   }
 });
 
+test("the scene's markers and the board are there to print", { skip }, async () => {
+  const { page, complaints, close } = await openPage({ film, page: { locale: "de-AT" } });
+  try {
+    await page.goto(`http://${server.web}/`);
+    const pdfOf = async (link) => {
+      await link.waitFor();
+      const answer = await page.request.get(await link.evaluate(({ href }) => href));
+      assert.equal(answer.headers()["content-type"], "application/pdf");
+      assert.match((await answer.body()).toString("latin1"), /^%PDF-/);
+    };
+    await pdfOf(page.locator("#notice .links a").first());
+    await page.keyboard.press("p");
+    await page.getByRole("button", { name: "Measure the lens" }).click();
+    await pdfOf(page.locator(".board-sheets .links a").first());
+    assert.deepEqual(complaints, []);
+  } finally {
+    await close();
+  }
+});
+
 test("a server that is started anew is found again", { skip }, async () => {
   const { page, close } = await openPage({ film });
   try {

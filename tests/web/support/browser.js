@@ -49,11 +49,11 @@ export async function startCamera(page, address) {
   await page.getByRole("button", { name: "Start the camera" }).click();
 }
 
-/** @returns {Promise<void>} when the element's text matches, or an error after 8 s */
-export async function textMatches(page, selector, pattern) {
+/** @returns {Promise<void>} when the element's text matches, or an error after ms */
+export async function textMatches(page, selector, pattern, ms = 8000) {
   await page.waitForFunction(
     ([at, source]) => new RegExp(source).test(document.querySelector(at).textContent),
     [selector, pattern.source],
-    { timeout: 8000 },
+    { timeout: ms },
   );
 }

@@ -1,5 +1,6 @@
 // Draws a marker by its formula: a printed pattern seen under a projective map, each pixel the mean
 // of many samples, as a sensor takes it.
+import { patternRows } from "amalgam-page/markers/dictionary.js";
 import { GreyImage } from "amalgam-page/markers/grey_image.js";
 import table from "amalgam-page/markers/opencv.json";
 
@@ -41,12 +42,7 @@ function quadrangleToSquare(corners) {
 }
 
 /** @returns {string[]} rows of "0" (black) and "1" (white), without the border */
-export function patternOf(dictionary, id) {
-  const { bits, codes } = table.dictionaries[dictionary];
-  const code = BigInt(`0x${table.codes[codes].split(" ")[id]}`).toString(2);
-  const all = code.padStart(bits * bits, "0");
-  return Array.from({ length: bits }, (_, row) => all.slice(row * bits, (row + 1) * bits));
-}
+export const patternOf = (dictionary, id) => patternRows(table, dictionary, id);
 
 /**
  * @param {string[]} pattern rows of "0" (black) and "1" (white), without the border

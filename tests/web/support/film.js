@@ -33,10 +33,11 @@ function planes({ width, height, data }) {
  * @param {string} file
  * @param {{width: number, height: number, data: Uint8Array}[]} pictures RGBA, of one size, even on
  *   both axes
+ * @param {number} rate pictures a second
  */
-export function writeFilm(file, pictures) {
+export function writeFilm(file, pictures, rate = 30) {
   const { width, height } = pictures[0];
-  const head = Buffer.from(`YUV4MPEG2 W${width} H${height} F30:1 Ip A1:1 C420jpeg\n`);
+  const head = Buffer.from(`YUV4MPEG2 W${width} H${height} F${rate}:1 Ip A1:1 C420jpeg\n`);
   const frames = pictures.flatMap((picture) => [Buffer.from("FRAME\n"), ...planes(picture)]);
   writeFileSync(file, Buffer.concat([head, ...frames]));
 }

@@ -28,9 +28,17 @@ export class Server {
       `127.0.0.1:${webPort}`,
     ];
     const all = ["--scene", scene, ...places, "--log-level", "warn", ...options];
-    server.#process = spawn(program("amalgam-server"), all, {
-      stdio: ["ignore", "pipe", "inherit"],
-    });
+    return server.#begin("amalgam-server", all);
+  }
+
+  /** @returns {Promise<Server>} whose renderer takes so many ms and changes nothing */
+  static async startStub(costMs) {
+    return new Server().#begin("amalgam-stub-server", ["--cost", String(costMs)]);
+  }
+
+  async #begin(name, options) {
+    const server = this;
+    server.#process = spawn(program(name), options, { stdio: ["ignore", "pipe", "inherit"] });
     for await (const line of createInterface({ input: server.#process.stdout })) {
       const [, address] = /listening on (\S+)/.exec(line) ?? [];
       if (!address) continue;
@@ -39,7 +47,7 @@ export class Server {
       server.admin = / admin (\S+)/.exec(line)[1];
       return server;
     }
-    throw new Error("amalgam-server ended before it listened");
+    throw new Error(`${name} ended before it listened`);
   }
 
   get webPort() {
@@ -100,8 +108,19 @@ export function nativeComposites(address, source, frames) {
   return composites;
 }
 
-/** Pictures of the synthetic desk as its camera takes them: what a server without objects sends. */
-export async function deskPictures(folder, size, frames) {
+/** @returns {number} ms from capture to composite, the median, of a film's frames */
+export function nativeLatency(address, film, rate) {
+  const options = ["--server", address, "--video", film, "--rate", String(rate), "--json"];
+  const { status, stdout, stderr } = spawnSync(program("amalgam-client"), options);
+  if (status !== 0) throw new Error(`amalgam-client: ${stderr}`);
+  return JSON.parse(stdout).latency_ms.median;
+}
+
+/**
+ * Pictures of the synthetic desk as its camera takes them: what a server without objects sends.
+ * more: further options of the client
+ */
+export async function deskPictures(folder, size, frames, more = []) {
   const scene = join(folder, "empty.gltf");
   const empty = {
     asset: { version: "2.0" },
@@ -111,7 +130,7 @@ export async function deskPictures(folder, size, frames) {
   writeFileSync(scene, JSON.stringify(empty));
   const server = await Server.start(scene, { options: ["--renderer", "raytrace"] });
   try {
-    return nativeComposites(server.address, ["--synthetic", "--size", size], frames);
+    return nativeComposites(server.address, ["--synthetic", "--size", size, ...more], frames);
   } finally {
     await server.stop();
   }

@@ -6,6 +6,9 @@ import { extname, join, normalize } from "node:path";
 import { WebSocketServer } from "ws";
 import { decode, encode } from "amalgam-page/wire.js";
 
+// What the real server makes to print.
+const SHEETS = ["/marker-sheet.pdf", "/lens-board.pdf"];
+
 const TYPES = {
   ".html": "text/html",
   ".js": "text/javascript",
@@ -34,6 +37,8 @@ export function unchanged({ frameId, captureTimeUs, jpeg }) {
 export class StubServer {
   /** Messages that were received, in their order. */
   received = [];
+  /** Whether there are sheets to print. */
+  prints = true;
   #http;
   #sockets;
 
@@ -46,6 +51,10 @@ export class StubServer {
     this.answers = answers;
     this.#http = createServer((request, response) => {
       const path = normalize(request.url === "/" ? "/index.html" : request.url.split("?")[0]);
+      if (SHEETS.includes(path)) {
+        response.writeHead(this.prints ? 200 : 404, { "Content-Type": "application/pdf" }).end();
+        return;
+      }
       const type = TYPES[extname(path)] ?? "application/octet-stream";
       const file = createReadStream(join(folder, path));
       file.on("error", () => response.writeHead(404).end());

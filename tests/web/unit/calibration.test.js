@@ -65,7 +65,7 @@ distortion_coefficients: {rows: 1, cols: 5, data: [0.1, 0, 0, 0, 0]}`;
 
 test("what cannot be used is said in words", () => {
   const cases = [
-    ["{", /neither YAML nor JSON/],
+    ["{", /neither YAML nor JSON nor XML/],
     ["just text", /no camera calibration/],
     ["a: 1", /no camera matrix/],
     ["K: [600, 0, 320, 0, 600, 240, 0, 0, 1]", /no distortion/],

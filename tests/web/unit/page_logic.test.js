@@ -2,8 +2,10 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Figures } from "amalgam-page/figures.js";
+import { Lenses } from "amalgam-page/lenses.js";
 import { sessionAddress } from "amalgam-page/server_address.js";
 import { DEFAULTS, parseSettings } from "amalgam-page/settings.js";
+import { papersFor } from "amalgam-page/sheets.js";
 import { cameraNotice, countDown, noMarkerNotice, sessionNotice } from "amalgam-page/words.js";
 
 const HTTP = { protocol: "http:", host: "desk:8080" };
@@ -24,6 +26,56 @@ test("settings of other versions and damaged ones do no harm", () => {
   assert.deepEqual(parseSettings("{not json"), DEFAULTS);
   const saved = { fieldOfView: "wide", size: "320x240", calibration: 5, unknown: 1 };
   assert.deepEqual(parseSettings(JSON.stringify(saved)), { ...DEFAULTS, size: "320x240" });
+});
+
+test("paper is what letters are written on there", () => {
+  assert.deepEqual(papersFor("en-US"), ["letter", "a4"]);
+  assert.deepEqual(papersFor("en"), ["letter", "a4"]); // most likely of the United States
+  assert.deepEqual(papersFor("es-MX"), ["letter", "a4"]);
+  for (const language of ["en-GB", "de", "fr-FR", "zh-Hans", "not a language", ""]) {
+    assert.deepEqual(papersFor(language), ["a4", "letter"], language);
+  }
+});
+
+test("lenses are remembered by camera and size, the newest ones", () => {
+  const saved = new Map();
+  const storage = {
+    getItem: (key) => saved.get(key) ?? null,
+    setItem: (key, value) => saved.set(key, value),
+  };
+  const lenses = new Lenses(storage);
+  assert.equal(lenses.find("a", 640, 480), null);
+  lenses.keep("a", 640, 480, { text: "first", error: 0.3 });
+  lenses.keep("a", 320, 240, { text: "small", error: 0.2 });
+  lenses.keep("a", 640, 480, { text: "second", error: 0.1 });
+  const later = new Lenses(storage);
+  assert.deepEqual(later.find("a", 640, 480), { text: "second", error: 0.1 });
+  assert.equal(later.find("a", 320, 240).text, "small");
+  assert.equal(later.find("b", 640, 480), null);
+  later.forget("a", 640, 480);
+  assert.equal(new Lenses(storage).find("a", 640, 480), null);
+  for (let i = 0; i < 30; ++i) later.keep(`camera ${i}`, 1, 1, { text: "t", error: 0 });
+  assert.equal(new Lenses(storage).list.length, 20);
+  assert.equal(later.find("a", 320, 240), null);
+  assert.equal(later.find("camera 29", 1, 1).text, "t");
+});
+
+test("without storage, or with nonsense in it, lenses are known until the page is closed", () => {
+  const forbidden = {
+    getItem: () => {
+      throw new Error("forbidden");
+    },
+    setItem: () => {
+      throw new Error("forbidden");
+    },
+  };
+  for (const storage of [null, forbidden, { getItem: () => "{}", setItem: () => {} }]) {
+    const lenses = new Lenses(storage);
+    lenses.keep("a", 1, 1, { text: "t", error: 0 });
+    assert.equal(lenses.find("a", 1, 1).text, "t");
+  }
+  const odd = new Lenses({ getItem: () => '[["a 1x1", {"text": 5}], ["a 2x2", {"text": "t"}]]' });
+  assert.equal(odd.list.length, 1);
 });
 
 test("each failure has words of its own", () => {

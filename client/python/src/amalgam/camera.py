@@ -44,7 +44,7 @@ class Camera:
 
     @staticmethod
     def from_file(file: Union[str, "os.PathLike[str]"], size: Optional[Tuple[int, int]] = None) -> Camera:
-        """From a calibration as OpenCV (YAML, XML, JSON) or ROS writes it.
+        """From a calibration as OpenCV (YAML, XML, JSON), ROS or Kalibr (pinhole-radtan) writes it.
 
         size: width and height of the frames, if they are not the calibration's; scales it. Raises LimitError with
         one line if the file cannot be used.
@@ -104,13 +104,34 @@ def _first(root: Any, names: Sequence[str]) -> Any:
     return next((node for node in nodes if not node.empty()), nodes[0])
 
 
-def _read(file: pathlib.Path, size: Optional[Tuple[int, int]]) -> Camera:
-    cv2 = opencv()
-    text = file.read_text()
-    if not text.lstrip().startswith(("%YAML", "{", "<?xml")):
-        text = "%YAML:1.0\n---\n" + text  # ROS leaves out the head that OpenCV asks for
-    storage = cv2.FileStorage(text, cv2.FILE_STORAGE_READ | cv2.FILE_STORAGE_MEMORY)
-    root = storage.root()
+@dataclass(frozen=True)
+class _Calibration:
+    """What a file says, whoever wrote it."""
+
+    size: Optional[Tuple[int, int]]
+    focal: Tuple[float, float]
+    centre: Tuple[float, float]
+    distortion: List[float]
+
+
+def _read_kalibr(root: Any) -> _Calibration:
+    if not root.getNode("cam1").empty():
+        raise LimitError("is a Kalibr file of several cameras; keep one of them")
+    camera = root.getNode("cam0")
+    models = [camera.getNode(name) for name in ("camera_model", "distortion_model")]
+    names = [model.string() if model.isString() else "none" for model in models]
+    if names != ["pinhole", "radtan"]:
+        raise LimitError(f"is a Kalibr file of model {'-'.join(names)}; only pinhole-radtan is supported")
+    intrinsics = _numbers(camera.getNode("intrinsics"))
+    distortion = _numbers(camera.getNode("distortion_coeffs"))
+    if len(intrinsics) != 4 or len(distortion) != 4:
+        raise LimitError("is a Kalibr file without 4 intrinsics and 4 distortion_coeffs")
+    size = _numbers(camera.getNode("resolution"))
+    fx, fy, cx, cy = intrinsics
+    return _Calibration((int(size[0]), int(size[1])) if len(size) == 2 else None, (fx, fy), (cx, cy), distortion)
+
+
+def _read_flat(root: Any) -> _Calibration:
     matrix = _numbers(_first(root, _MATRIX_NAMES))
     if len(matrix) != 9:
         raise LimitError("has no 3x3 camera_matrix")
@@ -120,13 +141,25 @@ def _read(file: pathlib.Path, size: Optional[Tuple[int, int]]) -> Camera:
     if model.isString() and model.string() not in ("", "plumb_bob", "rational_polynomial"):
         raise LimitError(f"the distortion model {model.string()} is not supported")
     distortion = _numbers(_first(root, _DISTORTION_NAMES))
-    if any(distortion[limits.MAX_DISTORTION :]):
-        raise LimitError("a tilted sensor (distortion coefficients 13 and 14) is not supported")
     sides = [_numbers(_first(root, names)) for names in (("image_width", "width"), ("image_height", "height"))]
-    own = (int(sides[0][0]), int(sides[1][0])) if sides[0] and sides[1] else size
+    size = (int(sides[0][0]), int(sides[1][0])) if sides[0] and sides[1] else None
+    return _Calibration(size, (matrix[0], matrix[4]), (matrix[2], matrix[5]), distortion)
+
+
+def _read(file: pathlib.Path, size: Optional[Tuple[int, int]]) -> Camera:
+    cv2 = opencv()
+    text = file.read_text()
+    if not text.lstrip().startswith(("%YAML", "{", "<?xml")):
+        text = "%YAML:1.0\n---\n" + text  # ROS and Kalibr leave out the head that OpenCV asks for
+    storage = cv2.FileStorage(text, cv2.FILE_STORAGE_READ | cv2.FILE_STORAGE_MEMORY)
+    root = storage.root()
+    read = _read_kalibr(root) if root.getNode("cam0").isMap() else _read_flat(root)
+    if any(read.distortion[limits.MAX_DISTORTION :]):
+        raise LimitError("a tilted sensor (distortion coefficients 13 and 14) is not supported")
+    own = read.size or size
     if own is None:
         raise LimitError("does not say its image's size; pass size=(width, height)")
-    camera = Camera(*own, matrix[0], matrix[4], matrix[2], matrix[5], tuple(distortion[: limits.MAX_DISTORTION]))
+    camera = Camera(*own, *read.focal, *read.centre, tuple(read.distortion[: limits.MAX_DISTORTION]))
     camera = camera.scaled_to(*size) if size and size != own else camera
     camera.check()
     return camera

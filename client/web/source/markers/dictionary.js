@@ -36,6 +36,14 @@ function pieces(pattern) {
   return list;
 }
 
+/** @returns {string[]} a marker's rows of "0" (black) and "1" (white), without the border */
+export function patternRows(table, dictionary, id) {
+  const { bits, codes } = table.dictionaries[dictionary];
+  const code = BigInt(`0x${table.codes[codes].split(" ")[id]}`).toString(2);
+  const all = code.padStart(bits * bits, "0");
+  return Array.from({ length: bits }, (_, row) => all.slice(row * bits, (row + 1) * bits));
+}
+
 export class Dictionary {
   /** Bits along a side of the pattern, without the black border. */
   bits;

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "client/tracking/marker_dictionary.h"
+#include "tracking/marker_dictionary.h"
 #include "common/camera_model.h"
 #include "common/pose.h"
 #include "tracking/marker_board.h"
@@ -26,7 +26,7 @@ struct Print {
 inline cv::Mat photograph(const common::CameraModel& camera, const std::vector<Print>& prints,
                           const std::string& dictionary = "DICT_6X6_250") {
   constexpr int kSamples = 4, kMarkerPixels = 480;
-  const auto known = find_dictionary(dictionary);
+  const auto known = tracking::find_dictionary(dictionary);
   cv::Mat large(camera.height * kSamples, camera.width * kSamples, CV_8UC1, cv::Scalar(110));
   for (const Print& print : prints) {
     cv::Mat marker, sheet;

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "client/tracking/marker_dictionary.h"
+#include "tracking/marker_dictionary.h"
 
 namespace amalgam::client {
 namespace {
@@ -60,7 +60,7 @@ Json codes_of(const cv::aruco::Dictionary& dictionary) {
 }
 
 Json entry(const std::string& name, const std::string& codes) {
-  const auto dictionary = find_dictionary(name);
+  const auto dictionary = tracking::find_dictionary(name);
   return {{"bits", dictionary->markerSize},
           {"count", dictionary->bytesList.rows},
           {"correct", dictionary->maxCorrectionBits},
@@ -71,14 +71,14 @@ Json make_table() {
   Json table{{"dictionaries", Json::object()}, {"codes", Json::object()}};
   for (const Family& family : kFamilies) {
     const std::string largest = family.name + std::to_string(family.counts.back());
-    table["codes"][largest] = codes_of(*find_dictionary(largest));
+    table["codes"][largest] = codes_of(*tracking::find_dictionary(largest));
     for (const int count : family.counts) {
       const std::string name = family.name + std::to_string(count);
       table["dictionaries"][name] = entry(name, largest);
     }
   }
   for (const char* name : kSingles) {
-    table["codes"][name] = codes_of(*find_dictionary(name));
+    table["codes"][name] = codes_of(*tracking::find_dictionary(name));
     table["dictionaries"][name] = entry(name, name);
   }
   return table;
@@ -97,9 +97,10 @@ TEST(WebDictionaries, AreThoseOfTheNativeClient) {
 // What lets the file keep one list of codes for a family.
 TEST(WebDictionaries, SmallOnesAreTheBeginningsOfTheLargest) {
   for (const Family& family : kFamilies) {
-    const auto largest = find_dictionary(family.name + std::to_string(family.counts.back()));
+    const auto largest =
+        tracking::find_dictionary(family.name + std::to_string(family.counts.back()));
     for (const int count : family.counts) {
-      const auto small = find_dictionary(family.name + std::to_string(count));
+      const auto small = tracking::find_dictionary(family.name + std::to_string(count));
       ASSERT_EQ(small->bytesList.rows, count);
       for (int id = 0; id < count; ++id) {
         EXPECT_EQ(code_of(*small, id), code_of(*largest, id)) << family.name << count << ' ' << id;

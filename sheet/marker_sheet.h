@@ -4,11 +4,12 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "client/tracking/board_description.h"
+#include "tracking/marker_board.h"
 
-namespace amalgam::tools {
+namespace amalgam::sheet {
 
 struct Square {
   double x = 0.0, y = 0.0, side = 0.0;  // top left corner and side, millimetres
@@ -47,22 +48,25 @@ struct MarkerSheet {
 };
 
 struct SheetOptions {
-  std::string dictionary = "DICT_6X6_250";  // see client::find_dictionary()
+  std::string dictionary = "DICT_6X6_250";  // see tracking::find_dictionary()
   std::vector<int> ids{};
   double length = 0.05;  // side of the black square, metres
   std::string title{};   // on each page; empty: none
   double page_width = 210.0, page_height = 297.0;
 };
 
-inline constexpr double kLetterWidth = 215.9, kLetterHeight = 279.4;  // millimetres
+// The sheets of paper that pages are made for: "a4" and "letter". Sets the page's size; throws
+// std::runtime_error for another name.
+void set_paper(SheetOptions& options, std::string_view name);
 
 // Places the markers in rows, each with a white margin of two cells and a caption below that says
 // its id and the length to measure after printing. Throws std::runtime_error for an unknown
-// dictionary or id, a length that is not positive, or a marker that does not fit on a page.
+// dictionary or id, no id at all, a length that is not positive, or a marker that does not fit on a
+// page.
 MarkerSheet lay_out_markers(const SheetOptions& options);
 
 // A ChArUco board on one page, wide or high as it fits. ids and length of the options are not used.
 // Throws std::runtime_error as above, or if it fits neither way.
-MarkerSheet lay_out_charuco(const SheetOptions& options, const client::RegularBoard& board);
+MarkerSheet lay_out_charuco(const SheetOptions& options, const tracking::RegularBoard& board);
 
-}  // namespace amalgam::tools
+}  // namespace amalgam::sheet

@@ -1,4 +1,4 @@
-#include "client/tools/marker/marker_sheet.h"
+#include "sheet/marker_sheet.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,13 +7,15 @@
 #include <stdexcept>
 #include <utility>
 
-#include "client/tracking/marker_dictionary.h"
+#include "tracking/marker_dictionary.h"
 
-namespace amalgam::tools {
+namespace amalgam::sheet {
 namespace {
 
 constexpr double kPageMargin = 10.0;  // mm: what printers leave white
-constexpr double kCaption = 8.0;      // mm below each marker's margin
+constexpr double kCaption = 8.0;      // mm below each marker's margin: two lines
+constexpr double kLine = 1.25;        // from baseline to baseline, of the font's size
+constexpr double kLetter = 0.65;      // the width of one, of the font's size; capitals are wide
 constexpr double kRulerText = 5.0;    // mm from the ruler's line to the bottom of its text
 constexpr double kRulerHeight = 10.0;
 
@@ -47,6 +49,17 @@ SheetMarker make_marker(int id, const cv::Mat& cells, const Square& outline, dou
   return marker;
 }
 
+std::string caption_of(const SheetOptions& options, int id) {
+  return options.dictionary + ", marker " + std::to_string(id);
+}
+
+// So that no caption reaches into the next one.
+double widest_caption(const SheetOptions& options, double font_size) {
+  std::size_t letters = 0;
+  for (const int id : options.ids) letters = std::max(letters, caption_of(options, id).size());
+  return kLetter * font_size * static_cast<double>(letters);
+}
+
 // One page with the title and the ruler.
 MarkerSheet blank_sheet(const SheetOptions& options) {
   MarkerSheet sheet;
@@ -66,21 +79,36 @@ MarkerSheet blank_sheet(const SheetOptions& options) {
 
 }  // namespace
 
+void set_paper(SheetOptions& options, std::string_view name) {
+  if (name == "a4") {
+    options.page_width = 210.0;
+    options.page_height = 297.0;
+  } else if (name == "letter") {
+    options.page_width = 215.9;
+    options.page_height = 279.4;
+  } else {
+    throw std::runtime_error("paper is a4 or letter, not '" + std::string(name) + "'");
+  }
+}
+
 MarkerSheet lay_out_markers(const SheetOptions& options) {
-  const auto known = client::find_dictionary(options.dictionary);
+  if (options.ids.empty()) throw std::runtime_error("there are no markers to print");
+  const auto known = tracking::find_dictionary(options.dictionary);
   const double side = 1000.0 * options.length;
   if (!(side > 0.0)) throw std::runtime_error("a marker's length must be above 0 m");
   const double margin = 2.0 * side / (known->markerSize + 2);
-  const double across = side + 2.0 * margin, down = across + kCaption;
+  const double square = side + 2.0 * margin, down = square + kCaption;
   const double right = options.page_width - kPageMargin;
   const double bottom = options.page_height - kPageMargin - kRulerHeight;
   const double top = kPageMargin + (options.title.empty() ? 0.0 : kCaption);
-  if (kPageMargin + across > right || top + down > bottom) {
+  if (kPageMargin + square > right || top + down > bottom) {
     throw std::runtime_error("a marker of " + millimetres(side) + " mm does not fit on a page of " +
                              millimetres(options.page_width) + " x " +
                              millimetres(options.page_height) + " mm");
   }
   MarkerSheet sheet = blank_sheet(options);
+  const double across = std::max(
+      square, std::min(margin + widest_caption(options, sheet.font_size), right - kPageMargin));
   double x = kPageMargin, y = top;
   for (const int id : options.ids) {
     if (x + across > right) {
@@ -95,15 +123,16 @@ MarkerSheet lay_out_markers(const SheetOptions& options) {
     const Square outline{x + margin, y + margin, side};
     page.markers.push_back(make_marker(id, cells_of(known, id), outline, margin));
     // Print in the white margin would hide the marker's edge from detectors.
-    page.texts.push_back({outline.x, outline.y + side + margin + sheet.font_size,
-                          options.dictionary + ", marker " + std::to_string(id) +
-                              ": the black square is " + millimetres(side) + " mm wide"});
+    const double line = outline.y + side + margin + sheet.font_size;
+    page.texts.push_back({outline.x, line, caption_of(options, id)});
+    page.texts.push_back({outline.x, line + kLine * sheet.font_size,
+                          "black square: " + millimetres(side) + " mm wide"});
     x += across;
   }
   return sheet;
 }
 
-MarkerSheet lay_out_charuco(const SheetOptions& options, const client::RegularBoard& board) {
+MarkerSheet lay_out_charuco(const SheetOptions& options, const tracking::RegularBoard& board) {
   const double square = 1000.0 * board.first_length, marker = 1000.0 * board.second_length;
   const double width = board.columns * square, height = board.rows * square;
   SheetOptions page = options;
@@ -121,7 +150,7 @@ MarkerSheet lay_out_charuco(const SheetOptions& options, const client::RegularBo
   MarkerSheet sheet = blank_sheet(page);
   SheetPage& only = sheet.pages.front();
   const double left = 0.5 * (sheet.width - width), top = kPageMargin + kCaption;
-  const auto known = client::find_dictionary(options.dictionary);
+  const auto known = tracking::find_dictionary(options.dictionary);
   int id = board.first_id;
   for (int row = 0; row < board.rows; ++row) {
     for (int column = 0; column < board.columns; ++column) {
@@ -138,4 +167,4 @@ MarkerSheet lay_out_charuco(const SheetOptions& options, const client::RegularBo
   return sheet;
 }
 
-}  // namespace amalgam::tools
+}  // namespace amalgam::sheet

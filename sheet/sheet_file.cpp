@@ -1,14 +1,16 @@
-#include "client/tools/marker/sheet_file.h"
+#include "sheet/sheet_file.h"
 
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
 
 #include <memory>
 #include <stdexcept>
+#include <string>
+#include <string_view>
 
 #include "common/whole_file.h"
 
-namespace amalgam::tools {
+namespace amalgam::sheet {
 namespace {
 
 constexpr double kPointsPerMillimetre = 72.0 / 25.4;
@@ -72,34 +74,48 @@ void draw(const Surface& surface, const MarkerSheet& sheet, double units_per_mil
   }
 }
 
-void write_pdf(const std::filesystem::path& file, const MarkerSheet& sheet) {
-  const Surface surface(cairo_pdf_surface_create(file.c_str(), sheet.width * kPointsPerMillimetre,
-                                                 sheet.height * kPointsPerMillimetre),
-                        &cairo_surface_destroy);
-  draw(surface, sheet, kPointsPerMillimetre);
+// What cairo gives goes to the end of a string.
+cairo_status_t append(void* text, const unsigned char* bytes, unsigned size) {
+  try {
+    static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(bytes), size);
+    return CAIRO_STATUS_SUCCESS;
+  } catch (const std::exception&) {
+    return CAIRO_STATUS_NO_MEMORY;
+  }
 }
 
-void write_svg(const std::filesystem::path& file, const MarkerSheet& sheet) {
-  if (sheet.pages.size() > 1) {
-    throw std::runtime_error(file.string() + ": " + std::to_string(sheet.pages.size()) +
-                             " pages are needed, and SVG has one; write a .pdf");
-  }
-  const Surface surface(cairo_svg_surface_create(file.c_str(), sheet.width, sheet.height),
-                        &cairo_surface_destroy);
+std::string svg_of(const MarkerSheet& sheet) {
+  std::string bytes;
+  const Surface surface(
+      cairo_svg_surface_create_for_stream(&append, &bytes, sheet.width, sheet.height),
+      &cairo_surface_destroy);
   cairo_svg_surface_set_document_unit(surface.get(), CAIRO_SVG_UNIT_MM);
   draw(surface, sheet, 1.0);
+  return bytes;
 }
 
 }  // namespace
+
+std::string pdf_of(const MarkerSheet& sheet) {
+  std::string bytes;
+  const Surface surface(
+      cairo_pdf_surface_create_for_stream(&append, &bytes, sheet.width * kPointsPerMillimetre,
+                                          sheet.height * kPointsPerMillimetre),
+      &cairo_surface_destroy);
+  draw(surface, sheet, kPointsPerMillimetre);
+  return bytes;
+}
 
 void write_sheet(const std::filesystem::path& file, const MarkerSheet& sheet) {
   const std::string kind = file.extension().string();
   if (kind != ".pdf" && kind != ".svg") {
     throw std::runtime_error(file.string() + ": markers are written as .pdf or .svg");
   }
-  common::write_whole_file(file, [&](const std::filesystem::path& part) {
-    kind == ".pdf" ? write_pdf(part, sheet) : write_svg(part, sheet);
-  });
+  if (kind == ".svg" && sheet.pages.size() > 1) {
+    throw std::runtime_error(file.string() + ": " + std::to_string(sheet.pages.size()) +
+                             " pages are needed, and SVG has one; write a .pdf");
+  }
+  common::write_whole_file(file, std::string_view(kind == ".pdf" ? pdf_of(sheet) : svg_of(sheet)));
 }
 
-}  // namespace amalgam::tools
+}  // namespace amalgam::sheet

@@ -1,4 +1,4 @@
-#include "client/tracking/marker_dictionary.h"
+#include "tracking/marker_dictionary.h"
 
 #include <array>
 #include <opencv2/core/persistence.hpp>
@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-namespace amalgam::client {
+namespace amalgam::tracking {
 namespace {
 
 using cv::aruco::PREDEFINED_DICTIONARY_NAME;
@@ -66,4 +66,4 @@ cv::Ptr<cv::aruco::Dictionary> find_dictionary(const std::string& name) {
   throw std::runtime_error("unknown marker dictionary '" + name + "'; known are" + known);
 }
 
-}  // namespace amalgam::client
+}  // namespace amalgam::tracking

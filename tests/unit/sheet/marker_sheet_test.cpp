@@ -1,5 +1,5 @@
 // A printed page, looked at by the tracker: the markers are there and as large as they say.
-#include "client/tools/marker/marker_sheet.h"
+#include "sheet/marker_sheet.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,10 +12,11 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "client/tools/marker/sheet_file.h"
+#include "client/tracking/board_description.h"
 #include "client/tracking/marker_tracker.h"
+#include "sheet/sheet_file.h"
 
-namespace amalgam::tools {
+namespace amalgam::sheet {
 namespace {
 
 constexpr double kPixelsPerMillimetre = 4.0;
@@ -91,6 +92,7 @@ TEST(MarkerSheet, HasAWhiteMarginAndStaysOnThePage) {
 TEST(MarkerSheet, WhatCannotBePrintedIsSaid) {
   EXPECT_THROW(lay_out_markers({.dictionary = "DICT_6X6_250", .ids = {250}, .length = 0.05}),
                std::runtime_error);
+  EXPECT_THROW(lay_out_markers({.ids = {}, .length = 0.05}), std::runtime_error);
   EXPECT_THROW(lay_out_markers({.ids = {40}, .length = 0.3}), std::runtime_error);
   EXPECT_THROW(lay_out_markers({.dictionary = "DICT_6X6_250", .ids = {40}, .length = 0.0}),
                std::runtime_error);
@@ -100,7 +102,7 @@ TEST(MarkerSheet, WhatCannotBePrintedIsSaid) {
 
 // The board that is printed is the one that --charuco means.
 TEST(MarkerSheet, ACharucoBoardHasItsLayout) {
-  const client::RegularBoard size = client::parse_charuco("5x7:0.035:0.026:3");
+  const tracking::RegularBoard size = client::parse_charuco("5x7:0.035:0.026:3");
   const MarkerSheet sheet = lay_out_charuco({}, size);
   const tracking::MarkerBoard board = client::parse_charuco_board("5x7:0.035:0.026:3");
   const SheetPage& page = sheet.pages.at(0);
@@ -131,12 +133,13 @@ SheetText text_with(const SheetPage& page, const std::string& words) {
 TEST(MarkerSheet, CaptionsLieBelowTheWhiteMargin) {
   const MarkerSheet sheet = lay_out_markers({.ids = {40}, .length = 0.05, .title = "a scene"});
   const SheetPage& page = sheet.pages.at(0);
-  const SheetText caption =
-      text_with(page, "DICT_6X6_250, marker 40: the black square is 50 mm wide");
+  const SheetText caption = text_with(page, "DICT_6X6_250, marker 40");
   const SheetMarker& marker = page.markers.front();
   EXPECT_DOUBLE_EQ(marker.margin, 2 * 50.0 / 8);
   EXPECT_GE(caption.y - sheet.font_size, marker.outline.y + 50.0 + marker.margin - 1e-9);
   EXPECT_LE(text_with(page, "a scene").y, marker.outline.y - marker.margin);
+  const SheetText size = text_with(page, "black square: 50 mm wide");
+  EXPECT_GE(size.y, caption.y + sheet.font_size);
 }
 
 TEST(MarkerSheet, WhatDoesNotFitOnOnePageComesOnTheNext) {
@@ -167,10 +170,7 @@ TEST(MarkerSheet, APrintOfThePdfHasItsSizes) {
   }
   for (const bool letter : {false, true}) {
     SheetOptions options{.ids = {40, 7}, .length = 0.04};
-    if (letter) {
-      options.page_width = kLetterWidth;
-      options.page_height = kLetterHeight;
-    }
+    set_paper(options, letter ? "letter" : "a4");
     const MarkerSheet sheet = lay_out_markers(options);
     const cv::Mat page = print(sheet);
     EXPECT_NEAR(page.cols, sheet.width * kPixelsPerMillimetre, 2.0);
@@ -193,4 +193,4 @@ TEST(MarkerSheet, APrintOfThePdfHasItsSizes) {
 }
 
 }  // namespace
-}  // namespace amalgam::tools
+}  // namespace amalgam::sheet

@@ -4,11 +4,11 @@
 #include <opencv2/aruco/dictionary.hpp>
 #include <string>
 
-namespace amalgam::client {
+namespace amalgam::tracking {
 
 // A predefined dictionary of OpenCV ("DICT_6X6_250", "DICT_APRILTAG_36h11", ...), or the path of a
 // dictionary file (.yml, .yaml: nmarkers, markersize, marker_0, ...). Throws std::runtime_error for
 // anything else; for an unknown name it lists the known ones.
 cv::Ptr<cv::aruco::Dictionary> find_dictionary(const std::string& name);
 
-}  // namespace amalgam::client
+}  // namespace amalgam::tracking
