@@ -20,6 +20,8 @@ deb $mirror bookworm main
 deb $mirror bookworm-updates main
 deb ${mirror}-security bookworm-security main
 LIST
+  # All of it can be made again, so that dpkg need not wait for the disk.
+  echo force-unsafe-io > "$root/etc/dpkg/dpkg.cfg.d/thrown-away"
 fi
 
 # In namespaces of its own, so that nothing stays mounted however this ends.

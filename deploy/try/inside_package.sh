@@ -2,7 +2,7 @@
 # inside_package.sh DEB: the part of debian_package.sh that runs on the bare machine.
 set -euo pipefail
 deb=${1:?usage: inside_package.sh DEB}
-export DEBIAN_FRONTEND=noninteractive
+export DEBIAN_FRONTEND=noninteractive DEBCONF_NOWARNINGS=yes
 say() { echo "== $*"; }
 fail() { echo "package: $*" >&2; exit 1; }
 
@@ -37,7 +37,7 @@ done
 
 say "server, as user amalgam, on a file system that cannot be written"
 # as USER COMMAND...: without capabilities, and without the way to any.
-as() { setpriv --reuid "$1" --regid "$1" --clear-groups --no-new-privs --bounding-set=-all "${@:2}"; }
+as() { setpriv --reuid "$1" --regid "$(id -g "$1")" --clear-groups --no-new-privs --bounding-set=-all "${@:2}"; }
 export -f as
 unshare --mount bash -euo pipefail -c 'mount --bind / / && mount -o remount,bind,ro / && cd / &&
   ! touch /root/x 2>/dev/null &&
@@ -50,7 +50,7 @@ for _ in $(seq 300); do
   sleep 0.1
 done
 [ "$(http /livez) $(http /readyz)" = "200 200" ] || fail "livez $(http /livez), readyz $(http /readyz)"
-pid=$(pgrep -x amalgam-server || sed -n 's/^Pid:\t//p' $(grep -l '^Name:.amalgam-server$' /proc/[0-9]*/status))
+pid=$(sed -n 's/^Pid:\t//p' $(grep -l '^Name:.amalgam-server$' /proc/[0-9]*/status))
 [ "$(stat -c %U "/proc/$pid")" = amalgam ] || fail "the server is not amalgam's"
 grep -q '^CapEff:.0*$' "/proc/$pid/status" || fail "the server has capabilities"
 
@@ -68,6 +68,6 @@ cat /composites/server.log
 
 say "purge"
 apt-get purge -y -qq amalgam > /dev/null
-left=$(find / -xdev -path /amalgam -prune -o -iname '*amalgam*' -print | grep -v '^/composites' || true)
+left=$(find / -xdev -path /amalgam -prune -o -iname '*amalgam*' -print | grep -vE '^/(composites|var/cache/man)/' || true)
 [ -z "$left" ] || fail "left behind: $left"
 say "the package works on a bare Debian"

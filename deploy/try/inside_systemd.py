@@ -8,6 +8,7 @@ import ctypes
 import os
 import pathlib
 import re
+import signal
 import socket
 import subprocess
 import threading
@@ -125,7 +126,7 @@ class Unit(unittest.TestCase):
     def test_21_a_reload_takes_over(self):
         pid = main_pid()
         before = metric('amalgam_reloads_total{result="done"}')
-        self.assertEqual(run("systemctl", "reload", UNIT).returncode, 0)
+        run("systemctl", "reload", UNIT, check=True)
         wait_until(lambda: metric('amalgam_reloads_total{result="done"}') == before + 1, 30)
         wait_until(lambda: shown("SubState") == "running", 10)
         self.assertEqual(main_pid(), pid)
@@ -135,7 +136,7 @@ class Unit(unittest.TestCase):
         pid, text = main_pid(), CONFIGURATION.read_text()
         self.addCleanup(CONFIGURATION.write_text, text)
         CONFIGURATION.write_text(text + '\nthreads = "many"\n')
-        self.assertEqual(run("systemctl", "reload", UNIT).returncode, 0)
+        run("systemctl", "reload", UNIT, check=True)
         wait_until(lambda: metric('amalgam_reloads_total{result="kept_the_old"}') == 1, 30)
         wait_until(lambda: shown("SubState") == "running", 10)
         self.assertEqual(main_pid(), pid)
@@ -149,12 +150,12 @@ class Unit(unittest.TestCase):
 
     def test_30_one_that_is_killed_starts_again(self):
         pid = main_pid()
-        run("kill", "-KILL", str(pid), check=True)
+        os.kill(pid, signal.SIGKILL)
         self.restarted_from(pid, 20)
 
     def test_31_one_that_stands_still_starts_again(self):
         pid = main_pid()
-        run("kill", "-STOP", str(pid), check=True)
+        os.kill(pid, signal.SIGSTOP)
         self.restarted_from(pid, 30)
         self.assertIn("Watchdog timeout", log())
 
