@@ -3,6 +3,7 @@
 # system that cannot be written, healthy, with a token file that nobody else reads, and ending by itself. Needs podman.
 # ROOT: a bare Debian (bare.sh) that stands for debian:12-slim where no registry can be reached.
 #   BUILD_OPTIONS, RUN_OPTIONS    more options for podman, as --network=host
+#   BUILD=no                      the image is there already
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 read -ra build_options <<< "${BUILD_OPTIONS:-}"
@@ -14,8 +15,10 @@ if [ $# -gt 0 ]; then
   build_options+=(--pull=never)
 fi
 
-say "build"
-podman build "${build_options[@]}" --format docker -f deploy/container/Containerfile -t amalgam .
+if [ "${BUILD:-yes}" = yes ]; then
+  say "build"
+  podman build "${build_options[@]}" --format docker -f deploy/container/Containerfile -t amalgam .
+fi
 podman image inspect --format 'image: {{.Size}} bytes, user {{.User}}' amalgam
 
 say "run"
@@ -41,7 +44,9 @@ for folder in / /etc /usr/share/amalgam /etc/amalgam; do
 done
 
 say "composites by the image's own client"
-inside() { podman run --rm --network "container:$name" -v "$work/tokens:/etc/amalgam/tokens:ro" --entrypoint "$1" amalgam "${@:2}"; }
+inside() {
+  podman run --rm --network "container:$name" -v "$work/tokens:/etc/amalgam/tokens:ro" --entrypoint "$1" amalgam "${@:2}"
+}
 inside amalgam-client --token-file /etc/amalgam/tokens --synthetic --frames 10 --lockstep
 ! inside amalgam-client --synthetic --frames 1 --connect-timeout 2 2> /dev/null || fail "it serves without a token"
 
