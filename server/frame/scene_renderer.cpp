@@ -36,11 +36,12 @@ class SceneRenderer : public ViewRenderer {
     fingerprint_.hardware = renderer_.hardware();
     for (const std::string& warning : renderer_.scene().warnings) common::log_warn(warning);
     // The first frame compiles shaders and draws shadow maps, for which the first client would wait
-    // seconds. The second one tells what a frame costs.
-    warm_up();
-    const core::Stopwatch stopwatch;
-    warm_up();
-    seconds_per_pixel_ = stopwatch.milliseconds() / 1000.0 / (kWarmUpWidth * kWarmUpHeight);
+    // seconds, and on a busy machine so long that the renderer would be taken for stuck.
+    render_for_nobody(160, 120);
+    // The second one tells what a frame costs. It is as large as most clients', because small ones
+    // cost more for each pixel.
+    constexpr int kWidth = 640, kHeight = 480;
+    seconds_per_pixel_ = render_for_nobody(kWidth, kHeight) / (kWidth * kHeight);
   }
 
   std::unique_ptr<State> open(const ViewOptions& options) override {
@@ -74,18 +75,21 @@ class SceneRenderer : public ViewRenderer {
   double seconds_per_pixel() const override { return seconds_per_pixel_; }
 
  private:
-  static constexpr int kWarmUpWidth = 160, kWarmUpHeight = 120;
-
   struct OpenView : State {
     explicit OpenView(const ViewOptions& options) : state(options) {}
     ViewState state;
   };
 
-  // Renders a small frame and drops it.
-  void warm_up() {
-    ViewState view({.camera = common::default_camera(kWarmUpWidth, kWarmUpHeight)});
-    const common::ImageRgb8 grey(kWarmUpWidth, kWarmUpHeight, common::Rgb8(128));
-    renderer_.render(view, {grey, {default_pose(renderer_.scene().world.marker)}});
+  // Seconds that a client's frame takes. Passes run only for what is asked of a frame, so the image
+  // is a JPEG, whose composite is asked for.
+  double render_for_nobody(int width, int height) {
+    ViewState view({.camera = common::default_camera(width, height)});
+    const common::ImageRgb8 grey(width, height, common::Rgb8(128));
+    const FrameInput input{codec::encode_jpeg(grey, 90),
+                           {default_pose(renderer_.scene().world.marker)}};
+    const core::Stopwatch stopwatch;
+    renderer_.render(view, input);
+    return stopwatch.milliseconds() / 1000.0;
   }
 
   FrameService::Fingerprint fingerprint_;

@@ -15,3 +15,8 @@ if grep -q '^MemoryDenyWriteExecute=' "$unit"; then
 fi
 grep -q '^Type=notify$' "$unit"
 grep -q '^WatchdogSec=' "$unit"
+# A bare Debian has nothing but the package's programs and the shell. /bin/kill is not there, which a reload once ran.
+if grep -E '^Exec[A-Za-z]+=' "$unit" | grep -vE '=(/usr/bin/amalgam-server|/bin/sh) '; then
+  echo 'that program may be missing'
+  exit 1
+fi
