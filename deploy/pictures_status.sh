@@ -11,7 +11,7 @@ else
   trap 'kill -TERM "${clients[@]}" $server 2>/dev/null || true' EXIT
   until grep -q listening "$work/server.txt"; do kill -0 "$server" || exit 1; sleep 0.1; done
   address=$(sed -n 's/^listening on \([^ ]*\) .*/\1/p' "$work/server.txt")
-  for camera in "--size 640x480 --synthetic-mirror" "--size 320x240 --rate 2"; do
+  for camera in "--size 480x360 --rate 3 --synthetic-mirror" "--size 320x240 --rate 6"; do
     # shellcheck disable=SC2086
     "$bin/amalgam-client" --server "$address" --synthetic $camera --output "$work/session-${#clients[@]}" > /dev/null &
     clients+=($!)

@@ -71,7 +71,10 @@ test("counts become rates and means between two answers", () => {
   assert.equal(history.newest("median"), 10); // the middle of the bucket
   assert.deepEqual(history.stages(), ["trace", "real_depth"]);
   assert.deepEqual(history.column("received"), [null, 20]);
-  history.add(103, ...answer(30, 53)); // nothing happened
+  history.add(104, ...answer(30, 54)); // nothing happened, but within the last seconds it did
+  assert.equal(history.newest("received"), 10);
+  assert.ok(Math.abs(history.newest("stage:trace") - 10) < 1e-9);
+  history.add(108, ...answer(30, 58));
   assert.equal(history.newest("received"), 0);
   assert.equal(history.newest("stage:trace"), null);
 });

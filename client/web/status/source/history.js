@@ -3,7 +3,9 @@
 import { quantile } from "./quantile.js";
 
 export const SPAN_S = 300;
-// Of times: of so few frames as one second has, a 99th percentile would be the slowest one.
+// Rates and means are over so long, as those of /state: a slow server has no frame in many seconds.
+const MEAN_SPAN_S = 5;
+// Of so few frames as one second has, a 99th percentile would be the slowest one.
 const QUANTILE_SPAN_S = 10;
 const ABSENT = null; // a gap in a line
 
@@ -46,11 +48,12 @@ export class History {
     const sample = sampleOf(time, state, metrics);
     const before = this.#samples.at(-1);
     if (before && sample.uptime < before.uptime) this.#samples = []; // it was started anew
-    const last = this.#samples.at(-1);
+    const first =
+      this.#samples.find((earlier) => earlier.time >= time - MEAN_SPAN_S) ?? this.#samples.at(-1);
     this.#samples.push(sample);
     while (this.#samples[0].time < time - QUANTILE_SPAN_S) this.#samples.shift();
-    this.#append(time, { ...gauges(state, metrics), ...(last && between(last, sample)) });
-    if (last) this.#setQuantiles(sample);
+    this.#append(time, { ...gauges(state, metrics), ...(first && between(first, sample)) });
+    if (first) this.#setQuantiles(sample);
   }
 
   /** The server did not answer. */
