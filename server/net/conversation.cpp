@@ -241,10 +241,9 @@ void Conversation::send_composite(FrameLedger::Entry frame, frame::FrameOutput o
   const std::chrono::duration<double, std::milli> server_time = Clock::now() - frame.arrival;
   context_.metrics.frame_rendered(output, server_time.count());
   Answer answer{std::move(frame), std::move(output), server_time.count()};
-  if (recording_.is_on()) {
-    protocol::Envelope message = composite_message(answer, skipped());
-    recording_.rendered(answer.frame.ticket, std::move(*message.mutable_composite()));
-  }
+  recording_.rendered(answer.frame.ticket, [&] {
+    return std::move(*composite_message(answer, skipped()).mutable_composite());
+  });
   if (line_.send_answer(std::move(answer))) ledger_.skip(Skip::ReplacedBeforeWrite);
 }
 
