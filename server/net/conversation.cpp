@@ -246,10 +246,9 @@ void Conversation::send_composite(FrameLedger::Entry frame, frame::FrameOutput o
   figures_.rendered(output, server_time.count());
   if (context_.config.admin_pictures) keep_picture(output.jpeg);
   Answer answer{std::move(frame), std::move(output), server_time.count()};
-  if (recording_.is_on()) {
-    protocol::Envelope message = composite_message(answer, skipped());
-    recording_.rendered(answer.frame.ticket, std::move(*message.mutable_composite()));
-  }
+  recording_.rendered(answer.frame.ticket, [&] {
+    return std::move(*composite_message(answer, skipped()).mutable_composite());
+  });
   if (line_.send_answer(std::move(answer))) ledger_.skip(Skip::ReplacedBeforeWrite);
 }
 

@@ -95,12 +95,14 @@ void SessionRecording::submitted(std::uint64_t frame, std::span<const common::Ma
   });
 }
 
-void SessionRecording::rendered(std::uint64_t frame, protocol::Composite composite) {
+void SessionRecording::rendered(std::uint64_t frame,
+                                const std::function<protocol::Composite()>& composite) {
   last_rendered_ = frame;
   record([&](SessionRecord& record) {
-    record.mutable_rendered()->set_frame(frame);
-    if (composite.unchanged()) composite.clear_jpeg();
-    *record.mutable_rendered()->mutable_composite() = std::move(composite);
+    protocol::RenderedFrame& rendered = *record.mutable_rendered();
+    rendered.set_frame(frame);
+    *rendered.mutable_composite() = composite();
+    if (rendered.composite().unchanged()) rendered.mutable_composite()->clear_jpeg();
   });
 }
 

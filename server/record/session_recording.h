@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -33,9 +34,9 @@ class SessionRecording {
   void received_refused_frame();  // that nobody read
   // To the client: anything but a composite.
   void sent(const protocol::Envelope& envelope);
-  // frame: its number. The composite has its JPEG.
+  // frame: its number. composite: makes it, with its JPEG; called only if there is a record.
   void submitted(std::uint64_t frame, std::span<const common::MarkerPose> poses);
-  void rendered(std::uint64_t frame, protocol::Composite composite);
+  void rendered(std::uint64_t frame, const std::function<protocol::Composite()>& composite);
   void failed(std::uint64_t frame, const protocol::Error& error);
   void written();  // the composite rendered last
 

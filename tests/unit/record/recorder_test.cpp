@@ -74,10 +74,10 @@ TEST_F(RecorderTest, HasWhatWasSaidAndNoToken) {
     session.submitted(2, std::vector<common::MarkerPose>{{.marker = 40}});
     protocol::Composite composite;
     composite.set_jpeg("composite");
-    session.rendered(2, composite);
+    session.rendered(2, [&] { return composite; });
     session.written();
     composite.set_unchanged(true);
-    session.rendered(3, composite);
+    session.rendered(3, [&] { return composite; });
   }
   const auto files = folder_.files();
   ASSERT_EQ(files.size(), 1u);
@@ -182,6 +182,19 @@ TEST_F(RecorderTest, AFolderThatIsGoneIsCounted) {
   }
   EXPECT_EQ(session.fate(), Fate::Failed);
   EXPECT_EQ(recorder.report().counts.failed, 1u);
+}
+
+// What a record needs and cannot get ends the record.
+TEST_F(RecorderTest, WithoutMemoryTheRecordEndsAndNothingIsThrown) {
+  Recorder recorder(options());
+  SessionRecording session(&recorder);
+  session.begin(1, hello(), {});
+  EXPECT_NO_THROW(session.rendered(1, []() -> protocol::Composite { throw std::bad_alloc(); }));
+  EXPECT_EQ(session.fate(), Fate::Failed);
+  EXPECT_NO_THROW(session.rendered(2, []() -> protocol::Composite {
+    ADD_FAILURE() << "nothing is recorded any more";
+    return {};
+  }));
 }
 
 TEST_F(RecorderTest, AReloadEndsRecords) {
