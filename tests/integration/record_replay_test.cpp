@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "client/tools/load/recorded_session.h"
 #include "client/tools/load/run_replay.h"
 #include "integration/real_server.h"
 #include "protocol/framing.h"

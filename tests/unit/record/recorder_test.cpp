@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <new>
+
 #include "protocol/framing.h"
 #include "record/session_recording.h"
 #include "support/record_folder.h"
