@@ -19,8 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMaxFileBytes = std::size_t{512} << 20;  // as the loader's
-
 class Files {
  public:
   explicit Files(const fs::path& scene) : folder_(scene), found_{scene} {}
