@@ -97,7 +97,9 @@ try {
   const totals = page.map((times) => times.get("capture to screen"));
   const more = median(totals.map((total, i) => total - native[i]));
   const ratio = median(totals.map((total, i) => total / native[i]));
-  console.log(`median of ${native.length}: the page shows ${more.toFixed(1)} ms later (x ${ratio.toFixed(2)})`);
+  console.log(
+    `median of ${native.length}: the page shows ${more.toFixed(1)} ms later (x ${ratio.toFixed(2)})`,
+  );
 } finally {
   await server?.stop();
   await closeBrowsers();
