@@ -45,7 +45,10 @@ const friendly = {
  * Runs f with a page and a server, and sees to it that both end and that nothing went wrong.
  * expected: what the browser may complain about
  */
-async function withPage({ answers = friendly, expected = /^WebSocket connection to/, ...options }, f) {
+async function withPage(
+  { answers = friendly, expected = /^WebSocket connection to/, ...options },
+  f,
+) {
   const server = new StubServer(PAGE, answers);
   const address = await server.listen();
   const opened = await openPage(options);
@@ -185,7 +188,8 @@ test("a scene that cannot be printed has no such links", { skip }, async () => {
 
 test("calibrations are read as YAML and as XML", { skip }, async () => {
   const matrix = (rows, cols, data) =>
-    `type_id="opencv-matrix"><rows>${rows}</rows><cols>${cols}</cols><dt>d</dt><data>${data}</data>`;
+    `type_id="opencv-matrix"><rows>${rows}</rows><cols>${cols}</cols><dt>d</dt>` +
+    `<data>${data}</data>`;
   const xml = `<?xml version="1.0"?>
 <opencv_storage>
 <image_width>320</image_width><image_height>240</image_height>
@@ -197,8 +201,10 @@ test("calibrations are read as YAML and as XML", { skip }, async () => {
   await withPage(options, async ({ page, server, address }) => {
     await page.goto(address);
     await page.keyboard.press("p");
-    const choose = (name, text) =>
-      page.setInputFiles("#calibration", { name, mimeType: "text/plain", buffer: Buffer.from(text) });
+    const choose = (name, text) => {
+      const buffer = Buffer.from(text);
+      return page.setInputFiles("#calibration", { name, mimeType: "text/plain", buffer });
+    };
     await choose("wrong.xml", "<svg/>");
     await textMatches(page, "#calibration-state", /it is XML, but not OpenCV's/);
     await choose("broken.xml", "<opencv_storage><a>");

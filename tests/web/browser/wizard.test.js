@@ -131,8 +131,9 @@ test("the board on a screen is the one that is looked for", { skip }, async () =
     await page.waitForFunction(() => document.getElementById("board").width === 900);
     const png = await page.screenshot();
     // As a camera that faces the screen sees it, turned by a quarter.
-    const corners = await page.evaluate(async (bytes) => {
-      const bitmap = await createImageBitmap(new Blob([Uint8Array.from(atob(bytes), (c) => c.charCodeAt(0))]));
+    const corners = await page.evaluate(async (base64) => {
+      const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+      const bitmap = await createImageBitmap(new Blob([bytes]));
       const worker = new Worker("lens_worker.js", { type: "module" });
       const answer = new Promise((resolve) => (worker.onmessage = ({ data }) => resolve(data)));
       worker.postMessage({ kind: "setup", width: bitmap.width, height: bitmap.height });

@@ -68,6 +68,47 @@ test("markers are found in perspective and when they are small", () => {
   }
 });
 
+test("a first look at half the size moves no corner", () => {
+  // Large ones are found by it, and small ones without it.
+  for (const side of [30, 37, 45.3, 70, 131.7]) {
+    const turned = [
+      [0, 0.1],
+      [0.95, 0],
+      [1, 0.9],
+      [0.08, 1],
+    ].map(([u, v]) => ({ x: 12.3 + side * u, y: 9.6 + side * v }));
+    const image = drawMarker(MARKER_40, turned, 160, 160);
+    const detector = new Detector(table, "DICT_6X6_250", 160, 160, [40]);
+    const all = new Detector(table, "DICT_6X6_250", 160, 160);
+    // Often, because looks that find nothing are given up.
+    for (let i = 0; i < 12; ++i) {
+      const found = detector.detect(image);
+      assert.equal(found.length, 1);
+      const [same] = all.detect(image);
+      assert.ok(furthest(found[0].corners, same.corners) < 0.02);
+      assert.ok(furthest(found[0].corners, turned) < 0.2);
+    }
+  }
+});
+
+test("markers of which only some are large are all found, once", () => {
+  const square = (left, top, side) =>
+    [
+      [0, 0],
+      [1, 0],
+      [1, 1],
+      [0, 1],
+    ].map(([u, v]) => ({ x: left + side * u, y: top + side * v }));
+  const large = drawMarker(MARKER_40, square(20, 20, 80), 200, 140);
+  const small = drawMarker(patternOf("DICT_6X6_250", 7), square(130, 60, 26), 200, 140);
+  small.data.forEach((value, i) => (large.data[i] = Math.min(large.data[i], value)));
+  const detector = new Detector(table, "DICT_6X6_250", 200, 140, [7, 40]);
+  for (let i = 0; i < 12; ++i) {
+    const ids = detector.detect(large).map(({ id }) => id);
+    assert.deepEqual(ids.sort((a, b) => a - b), [7, 40]);
+  }
+});
+
 test("others' markers are not reported", () => {
   const image = drawMarker(MARKER_40, SQUARE, 160, 140);
   assert.deepEqual(new Detector(table, "DICT_6X6_250", 160, 140, [7]).detect(image), []);

@@ -15,7 +15,8 @@ import { boardView, goodHolds, randomNumbers } from "../support/held_board.js";
 import { sourceFile } from "../support/places.js";
 
 const [WIDTH, HEIGHT] = [640, 480];
-const CAMERA = { width: WIDTH, height: HEIGHT, lens: [502, 507, 325.5, 235.5, -0.12, 0.05, 0.001, 0] };
+const LENS = [502, 507, 325.5, 235.5, -0.12, 0.05, 0.001, 0];
+const CAMERA = { width: WIDTH, height: HEIGHT, lens: LENS };
 const board = parseBoard(limits.board);
 
 function viewsOf(holds, jitter) {
@@ -112,7 +113,8 @@ test("lenses that see wide and narrow are found too", () => {
     const camera = { ...CAMERA, lens: [fx, fx, 320, 240, fx < 400 ? -0.2 : 0.02, 0.03, 0, 0] };
     const views = new Views(board, WIDTH, HEIGHT);
     for (const { tilt, position } of goodHolds()) {
-      views.offer(boardView(camera, board, tilt, [position[0], position[1], position[2] - 0.3 + z]));
+      const [x, y, near] = position;
+      views.offer(boardView(camera, board, tilt, [x, y, near - 0.3 + z]));
     }
     near(solveLens(views, WIDTH, HEIGHT).camera.fx, fx, 0.005 * fx);
   }

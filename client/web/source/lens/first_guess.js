@@ -1,7 +1,13 @@
 // A lens without distortion and the poses of the board, in closed form, from which the refinement
 // starts [Z. Zhang, A Flexible New Technique for Camera Calibration, 2000]. The principal point is
 // taken for the middle of the picture, as OpenCV does: the closed form finds it badly.
-import { EigenvalueDecomposition, Matrix, SingularValueDecomposition, inverse, solve } from "ml-matrix";
+import {
+  EigenvalueDecomposition,
+  inverse,
+  Matrix,
+  SingularValueDecomposition,
+  solve,
+} from "ml-matrix";
 
 const column = (matrix, j) => matrix.getColumn(j);
 const scaled = (vector, by) => vector.map((value) => value * by);

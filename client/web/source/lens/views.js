@@ -3,7 +3,10 @@
 // same numbers, which a test of it compares with limits.json.
 import limits from "./limits.json";
 
-/** @typedef {{board: number[], pixel: number[], key: string}} Point key: the same corner's is equal */
+/**
+ * key: the same corner's is equal
+ * @typedef {{board: number[], pixel: number[], key: string}} Point
+ */
 
 const keyOf = (marker, corner) => `${marker}/${corner}`;
 

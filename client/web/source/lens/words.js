@@ -19,7 +19,7 @@ export function viewWords({ offer, views, coverage }) {
 /** @param {{error: number, tilt: number}} lens; degrees: how wide it sees */
 export function lensWords({ error, tilt }, degrees) {
   return (
-    `The lens is ${degrees.toFixed(1)}° wide. Corners lie ${error.toFixed(2)} pixels from where it ` +
-    `has them; the board was turned by ${tilt.toFixed(0)}°.`
+    `The lens is ${degrees.toFixed(1)}° wide. Corners lie ${error.toFixed(2)} pixels from where ` +
+    `it has them; the board was turned by ${tilt.toFixed(0)}°.`
   );
 }

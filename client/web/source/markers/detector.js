@@ -2,6 +2,7 @@
 import { CandidateSearch, RADII } from "./candidates.js";
 import { Dictionary } from "./dictionary.js";
 import { readPattern } from "./pattern.js";
+import { QuickLook } from "./quick_look.js";
 import { refineCorners } from "./refinement.js";
 
 /**
@@ -14,6 +15,7 @@ import { refineCorners } from "./refinement.js";
 export class Detector {
   #dictionary;
   #search;
+  #quick;
   #ids;
 
   /**
@@ -24,6 +26,7 @@ export class Detector {
   constructor(table, dictionary, width, height, ids = []) {
     this.#dictionary = new Dictionary(table, dictionary);
     this.#search = new CandidateSearch(width, height);
+    this.#quick = new QuickLook(width, height);
     this.#ids = new Set(ids);
   }
 
@@ -33,12 +36,21 @@ export class Detector {
    */
   detect(grey) {
     const found = [];
-    for (const radius of RADII) {
-      for (const outline of this.#search.find(grey, radius)) {
+    const read = (outlines) => {
+      for (const outline of outlines) {
         const marker = this.#read(grey, outline, found);
         if (marker) found.push(marker);
       }
-      if (this.#isComplete(found)) break;
+      return this.#isComplete(found);
+    };
+    // Who looks for all of a dictionary never has enough.
+    if (this.#ids.size > 0 && this.#quick.isDue) {
+      const enough = read(this.#quick.find(grey, this.#dictionary.bits));
+      this.#quick.note(enough);
+      if (enough) return found;
+    }
+    for (const radius of RADII) {
+      if (read(this.#search.find(grey, radius))) break;
     }
     return found;
   }
