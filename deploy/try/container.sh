@@ -30,8 +30,10 @@ trap end EXIT
 podman run -d --name "$name" "${run_options[@]}" --read-only --cap-drop=all --security-opt=no-new-privileges \
   --stop-timeout=35 -p 7447:7447 -v "$work/tokens:/etc/amalgam/tokens:ro,U" amalgam \
   --token-file /etc/amalgam/tokens > /dev/null
-for _ in $(seq 60); do
-  ! podman healthcheck run "$name" > /dev/null 2>&1 || break
+# It is alive while it loads, which takes a busy machine a minute, and ready afterwards.
+ready='exec 3<>/dev/tcp/127.0.0.1/7448 && printf "GET /readyz HTTP/1.0\r\n\r\n" >&3 && head -1 <&3 | grep -q " 200 "'
+for _ in $(seq 180); do
+  ! podman exec "$name" timeout 2 bash -c "$ready" 2> /dev/null || break
   [ "$(podman inspect --format '{{.State.Running}}' "$name")" = true ] || { podman logs "$name"; fail "it ended"; }
   sleep 1
 done

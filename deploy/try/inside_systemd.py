@@ -44,7 +44,7 @@ def http(path):
 
 
 def metric(name):
-    with urllib.request.urlopen("http://127.0.0.1:7448/metrics", timeout=3) as answer:
+    with urllib.request.urlopen("http://127.0.0.1:7448/metrics", timeout=30) as answer:
         return float(re.search(rf"(?m)^{re.escape(name)} (\S+)$", answer.read().decode()).group(1))
 
 
