@@ -68,6 +68,7 @@ class Link : public std::enable_shared_from_this<Link> {
   void read();
   void take(std::span<const std::byte> input);
   void visit(protocol::Envelope& envelope);
+  void refuse_kind();
   void on_error(protocol::Error& error);
   void send_control(const protocol::Envelope& envelope);
   void write(std::string bytes);
