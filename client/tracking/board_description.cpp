@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "client/tracking/opencv_file.h"
+#include "common/pose.h"
 
 namespace amalgam::client {
 namespace {
@@ -46,10 +47,7 @@ glm::dquat read_rotation(const cv::FileNode& node, const path& file, const std::
   if (node.empty()) return {1.0, 0.0, 0.0, 0.0};
   const auto [x, y, z, w] = read_numbers<4>(node, file, what);
   const glm::dquat rotation(w, x, y, z);
-  constexpr double kMaxLengthError = 1e-3;
-  if (!(std::abs(glm::length(rotation) - 1.0) <= kMaxLengthError)) {
-    fail(file, what + " is no unit quaternion");
-  }
+  if (!common::is_unit(rotation)) fail(file, what + " is no unit quaternion");
   return glm::normalize(rotation);
 }
 
@@ -97,9 +95,10 @@ std::optional<RegularBoard> parse_regular(std::string_view text) {
   const auto rows = parse<int>(parts[0].substr(x + 1));
   const auto first = parse<double>(parts[1]), second = parse<double>(parts[2]);
   const auto id = parts.size() == 4 ? parse<int>(parts[3]) : std::optional(0);
-  constexpr int kMaxSide = 100;
+  constexpr int kMaxSide = 100, kMaxId = 1'000'000;  // no board's last id overflows
   if (!columns || !rows || !first || !second || !id) return std::nullopt;
   if (*columns < 1 || *rows < 1 || *columns > kMaxSide || *rows > kMaxSide) return std::nullopt;
+  if (*id < 0 || *id > kMaxId) return std::nullopt;
   return RegularBoard{*columns, *rows, *first, *second, *id};
 }
 
@@ -123,7 +122,7 @@ tracking::MarkerBoard load_board(const path& file) {
       board.markers.push_back(read_marker(marker, storage["marker_length"], file));
     }
   } catch (const cv::Exception& error) {
-    fail(file, "is not an OpenCV file (" + error.err.substr(0, error.err.find('\n')) + ")");
+    fail(file, "is not an OpenCV file (" + first_line(error) + ")");
   }
   if (const std::string defect = describe_defect(board); !defect.empty()) fail(file, defect);
   return board;

@@ -47,11 +47,6 @@ void read_distortion(const std::vector<double>& coefficients, const std::filesys
   }
 }
 
-// Lengths scale about the image's corner, which lies half a pixel before the first pixel's centre.
-double scaled_position(double position, double scale) {
-  return (position + 0.5) * scale - 0.5;
-}
-
 std::string size_text(int width, int height) {
   return std::to_string(width) + "x" + std::to_string(height);
 }
@@ -97,8 +92,8 @@ common::CameraModel fit_to_image(const common::CameraModel& calibration, int wid
                      " and scaled to " + size_text(width, height));
     camera.fx = calibration.fx * scale;
     camera.fy = calibration.fy * scale_y;
-    camera.cx = scaled_position(calibration.cx, scale);
-    camera.cy = scaled_position(calibration.cy, scale_y);
+    camera.cx = common::scaled_position(calibration.cx, scale);
+    camera.cy = common::scaled_position(calibration.cy, scale_y);
   }
   if (const std::string defect = common::describe_defect(camera); !defect.empty()) {
     throw std::runtime_error("the calibration cannot be used: " + defect);

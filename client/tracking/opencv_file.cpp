@@ -1,7 +1,9 @@
 #include "client/tracking/opencv_file.h"
 
-#include <fstream>
 #include <stdexcept>
+
+#include "client/tracking/text_nesting.h"
+#include "common/whole_file.h"
 
 namespace amalgam::client {
 namespace {
@@ -14,18 +16,19 @@ void fail_file(const char* kind, const std::filesystem::path& file, const std::s
   throw std::runtime_error(std::string(kind) + " " + file.string() + ": " + what);
 }
 
+std::string first_line(const cv::Exception& error) {
+  return error.err.substr(0, error.err.find('\n'));
+}
+
 std::string read_small_text(const char* kind, const std::filesystem::path& file) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) fail_file(kind, file, "no such file");
-  std::ifstream in(file, std::ios::binary);
-  std::string text(kMaxFileBytes + 1, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (in.bad() || (!in && !in.eof())) fail_file(kind, file, "cannot be read");
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  if (text.empty()) fail_file(kind, file, "is empty or cannot be read");
-  if (text.size() > kMaxFileBytes) {
-    fail_file(kind, file, std::string("is larger than 1 MiB, so not a ") + kind);
+  std::string text;
+  try {
+    text = common::read_whole_file(file, kMaxFileBytes);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(std::string(kind) + " " + error.what());
   }
+  if (text.empty()) fail_file(kind, file, "is empty");
+  if (may_nest_too_deeply(text)) fail_file(kind, file, "is nested too deeply");
   return text;
 }
 
