@@ -221,12 +221,12 @@ void expect_consistent(const BoardPhotograph& photo) {
 // The gap is a fifth of a marker, as can be measured in the picture.
 TEST(BoardPhotographs, Grid) {
   expect_consistent({"gboriginal.png", "tutorial_camera_params.yml", "tutorial_dict.yml",
-                     tracking::make_grid_board(5, 7, 0.1, 0.02, 0), 2.5});
+                     tracking::make_grid_board(5, 7, 0.1, 0.02, 0), 2.5, 3.5});
 }
 
 TEST(BoardPhotographs, Charuco) {
   expect_consistent({"choriginal.jpg", "tutorial_camera_charuco.yml", "DICT_6X6_250",
-                     tracking::make_charuco_board(5, 7, 0.04, 0.02, 0), 1.0});
+                     tracking::make_charuco_board(5, 7, 0.04, 0.02, 0), 1.0, 2.5});
 }
 
 }  // namespace
