@@ -7,6 +7,7 @@
 #include "client/sources/jpeg_bytes.h"
 #include "client/tracking/lens_calibration.h"
 #include "client/tracking/marker_tracker.h"
+#include "common/whole_file.h"
 
 namespace amalgam::client {
 namespace {
@@ -47,6 +48,7 @@ void say(const LensCalibration& lens, LensCalibration::Offer offer) {
 
 void calibrate(const Options& options, CameraSource& source, FrameSink* sink,
                const std::atomic<bool>& stop) {
+  common::check_writable(options.calibrate);
   const cv::Size size = source.size();
   LensCalibration lens(*options.viewer.board, size);
   MarkerTracker tracker({.dictionary = options.dictionary, .board = options.viewer.board},

@@ -131,9 +131,8 @@ int main(int argc, char** argv) {
   return amalgam::common::run_program("amalgam-client", [&] {
     // Complaints of video backends that were merely tried would hide the one line that matters.
     cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
-    int exit_code = EXIT_FAILURE;
-    const auto options = parse_options(argc, argv, exit_code);
-    if (!options) return exit_code;
+    const auto options = parse_options(argc, argv);
+    if (!options) return EXIT_SUCCESS;
     const auto request_stop = [](int) { stop_requested = true; };
     std::signal(SIGINT, request_stop);
     std::signal(SIGTERM, request_stop);

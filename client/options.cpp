@@ -2,24 +2,16 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
-#include <cstdio>
-#include <cstdlib>
 #include <stdexcept>
 
 #include "client/tracking/board_description.h"
 #include "common/build_info.h"
+#include "common/image_size.h"
+#include "common/parse_command_line.h"
 #include "protocol/limits.h"
 
 namespace amalgam::client {
 namespace {
-
-std::optional<int> parse_number(std::string_view text, int low, int high) {
-  int value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  if (value < low || value > high) return std::nullopt;
-  return value;
-}
 
 struct BoardTexts {
   std::string file, grid, charuco;
@@ -78,7 +70,7 @@ void add_markers(CLI::App& app, BoardTexts& board, std::string& smoothing, doubl
                  "more than so many pixels: on a tripod objects stand still, and frames cost the "
                  "server a tenth")
       ->type_name("PIXELS")
-      ->check(CLI::Range(0.0, 100.0))
+      ->check(common::in_range(0.0, 100.0))
       ->default_str("0: off");
 }
 
@@ -86,7 +78,7 @@ void add_source(CLI::App& app, Options& options) {
   auto* source = app.add_option_group("source", "exactly one of");
   source->add_option("--camera", options.camera, "camera device number")
       ->type_name("N")
-      ->check(CLI::Range(0, 1000));
+      ->check(common::in_range(0, 1000));
   source->add_option("--video", options.video, "film file")->type_name("FILE");
   source
       ->add_option("--images", options.images,
@@ -144,27 +136,16 @@ tracking::OneEuroOptions parse_smoothing(const std::string& text) {
 }
 
 cv::Size parse_size(const std::string& text) {
-  constexpr int kMax = static_cast<int>(protocol::kMaxSide);
-  const std::size_t x = text.find('x');
-  const auto width = parse_number(text.substr(0, x), 1, kMax);
-  const auto height =
-      x == std::string::npos ? std::nullopt : parse_number(text.substr(x + 1), 1, kMax);
-  if (!width || !height) {
-    throw std::runtime_error("'" + text + "' is not WxH with sides of 1 to " +
-                             std::to_string(kMax) + " pixels");
-  }
-  return {*width, *height};
+  const glm::ivec2 size = common::parse_image_size(text, static_cast<int>(protocol::kMaxSide));
+  return {size.x, size.y};
 }
 
-std::optional<Options> parse_options(int argc, const char* const* argv, int& exit_code) {
+std::optional<Options> parse_options(int argc, const char* const* argv) {
   Options options;
   CLI::App app("Sends camera images to an Amalgam server and receives them with virtual objects.",
                "amalgam-client");
   app.option_defaults()->always_capture_default();
   app.set_version_flag("--version", common::version_line("amalgam-client"));
-  app.failure_message([](const CLI::App*, const CLI::Error& error) {
-    return std::string("amalgam-client: ") + error.what() + " (--help lists the options)\n";
-  });
   std::string server = "127.0.0.1:7447", size, synthetic_poses = "detected", smoothing;
   BoardTexts board;
   double connect_timeout = 5.0;
@@ -174,7 +155,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv, int& exi
   app.add_option("--connect-timeout", connect_timeout,
                  "seconds to find the server, at first and after each loss")
       ->type_name("S")
-      ->check(CLI::Range(0.1, 3600.0));
+      ->check(common::in_range(0.1, 3600.0));
   app.add_option("--token-file", options.token_file, "file with the server's secret")
       ->type_name("FILE");
   auto* const tls = app.add_flag("--tls", options.connection.tls,
@@ -205,7 +186,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv, int& exi
   app.add_option("--fov", options.field_of_view,
                  "how wide the lens sees, where there is no calibration; its maker says so")
       ->type_name("DEGREES")
-      ->check(CLI::Range(5.0, 150.0))
+      ->check(common::in_range(5.0, 150.0))
       ->excludes(calibration);
   auto* environment =
       app.add_option(
@@ -229,11 +210,11 @@ std::optional<Options> parse_options(int argc, const char* const* argv, int& exi
                  "JPEG quality of composites, 1 to 100; 0: the server's default, and unaffected "
                  "frames come back byte for byte")
       ->type_name("Q")
-      ->check(CLI::Range(0, 100));
+      ->check(common::in_range(0, 100));
   app.add_option("--camera-quality", options.camera_quality,
                  "JPEG quality of images that have to be encoded for sending, 1 to 100")
       ->type_name("Q")
-      ->check(CLI::Range(1, 100));
+      ->check(common::in_range(1, 100));
   app.add_flag("--synthetic-mirror", options.synthetic_mirror,
                "the real mirror of the complex scene stands on the desk of --synthetic");
   app.add_option("--synthetic-poses", synthetic_poses,
@@ -246,19 +227,14 @@ std::optional<Options> parse_options(int argc, const char* const* argv, int& exi
   app.add_option("--rate", options.viewer.rate,
                  "frames a second from files and --synthetic, and of --record")
       ->type_name("HZ")
-      ->check(CLI::Range(0.01, 1000.0));
+      ->check(common::in_range(0.01, 1000.0));
   app.add_flag("--lockstep", options.viewer.lockstep,
                "wait for the answer to each frame before the next, whatever the rate");
   app.add_flag("--json", options.json, "print the summary as one JSON object");
   app.add_option("--log-level", options.log_level, "of messages on standard error")
       ->type_name("LEVEL")
       ->check(CLI::IsMember({"trace", "debug", "info", "warn", "error", "off"}));
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    exit_code = app.exit(error);
-    return std::nullopt;
-  }
+  if (!common::parse_command_line(app, argc, argv)) return std::nullopt;
   options.connection.server = parse_server(server);
   options.connection.connect_timeout =
       std::chrono::milliseconds(static_cast<std::int64_t>(connect_timeout * 1000.0));
@@ -266,9 +242,7 @@ std::optional<Options> parse_options(int argc, const char* const* argv, int& exi
   if (!smoothing.empty()) options.viewer.smoothing = parse_smoothing(smoothing);
   options.viewer.board = read_board(board);
   if (!options.calibrate.empty() && !options.viewer.board) {
-    std::fputs("amalgam-client: --calibrate needs a board: --charuco, --grid or --board\n", stderr);
-    exit_code = EXIT_FAILURE;
-    return std::nullopt;
+    throw std::invalid_argument("--calibrate needs a board: --charuco, --grid or --board");
   }
   options.true_poses = synthetic_poses == "true";
   return options;

@@ -42,8 +42,9 @@ struct Options {
   std::string log_level = "warn";
 };
 
-// Nothing if the program should end with exit_code (after help or a reported mistake).
-std::optional<Options> parse_options(int argc, const char* const* argv, int& exit_code);
+// Nothing if the program is to end, because help or version was asked for and is on standard
+// output. Throws std::runtime_error or std::invalid_argument with one line for a mistake.
+std::optional<Options> parse_options(int argc, const char* const* argv);
 
 // "host:port" or "[address]:port", port not 0. Throws std::runtime_error.
 common::HostPort parse_server(const std::string& text);

@@ -5,6 +5,7 @@
 #include "client/link/messages.h"
 #include "common/log.h"
 #include "protocol/framing.h"
+#include "tracking/marker_dictionary.h"
 
 namespace amalgam::client {
 namespace {
@@ -13,6 +14,7 @@ using std::chrono::milliseconds;
 
 // The longest delay until a signal or a key press is noticed.
 constexpr milliseconds kMaxWait{50};
+constexpr int kMaxEventsAFrame = 256;
 // Time for the last answers. A live server answers or pings well before.
 constexpr std::chrono::seconds kFinishTimeout{30};
 
@@ -39,10 +41,14 @@ ViewerSummary Viewer::run() {
   }
   summary_.frames = in_flight_.counts();
   summary_.latency = in_flight_.latency();
-  if (tracker_) summary_.markers = tracker_->counts();
   if (smoother_) summary_.smoothing = smoother_->report();
-  if (dead_band_) summary_.poses_held = dead_band_->held();
+  add_counts();
   return summary_;
+}
+
+void Viewer::add_counts() {
+  if (tracker_) summary_.markers += tracker_->counts();
+  if (dead_band_) summary_.poses_held += dead_band_->held();
 }
 
 bool Viewer::wait_for_welcome() {
@@ -58,7 +64,8 @@ void Viewer::stream() {
     const auto frame = source_.next();
     if (!frame) return;
     send(*frame);
-    while (handle_next(milliseconds(0))) {
+    // No more in a turn, so that a flood of events does not keep the camera waiting.
+    for (int i = 0; i < kMaxEventsAFrame && handle_next(milliseconds(0)); ++i) {
     }
     while (options_.lockstep && in_flight_.has_open() && !is_stopped()) handle_next(kMaxWait);
     if (options_.lockstep || source_.is_live()) continue;
@@ -106,11 +113,12 @@ void Viewer::handle(Welcomed& event) {
   if (tracker_ && as_text == markers_) return;
   markers_ = as_text;
   TrackerOptions options;
-  options.dictionary = markers.dictionary();
+  options.dictionary = tracking::predefined_dictionary(markers.dictionary());
   options.marker_length = markers.length();
   options.ids.assign(markers.ids().begin(), markers.ids().end());
   options.board = options_.board;
   options.world_marker = markers.world_marker();
+  add_counts();
   tracker_.emplace(options, camera_);
   if (options_.dead_band > 0.0)
     dead_band_.emplace(options_.dead_band, options.marker_length, camera_);

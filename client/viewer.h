@@ -45,8 +45,9 @@ class Viewer {
   Viewer(const ViewerOptions& options, const common::CameraModel& camera, CameraSource& source,
          FrameSink* sink, Connection& connection, const std::atomic<bool>& stop);
 
-  // Runs until all frames are captured and accounted for, the user stops it, or the connection
-  // gives up.
+  // Runs once, until all frames are captured and accounted for, the user stops it, or the
+  // connection gives up. Throws std::runtime_error for a server that names no dictionary of
+  // OpenCV's.
   ViewerSummary run();
 
  private:
@@ -56,6 +57,7 @@ class Viewer {
   void stream();
   void finish();
   void send(const CapturedFrame& frame);
+  void add_counts();  // of the tracker and the dead band that end now, to the summary
   bool handle_next(std::chrono::milliseconds timeout);  // false: no event in that time
   void handle(Welcomed& event);
   void handle(Composited& event);

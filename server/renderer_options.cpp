@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "common/parse_command_line.h"
 #include "frame/settings_options.h"
 #include "gl/shader_interface.h"
 
@@ -51,11 +52,11 @@ void add_renderer_options(CLI::App& app, frame::RendererSettings& settings) {
          names::kMaxDepth, settings.trace.max_depth,
          "specular surfaces that a ray may meet; one that is cut off takes the environment's "
          "color, as by --importance-cutoff")
-      ->check(CLI::Range(0, 10000))
+      ->check(common::in_range(0, 10000))
       ->capture_default_str();
   app.add_option(names::kImportanceCutoff, settings.trace.importance_cutoff,
                  "share of a pixel [0, 1) below which a ray's branch ends")
-      ->check(CLI::Range(0.0, 0.999))
+      ->check(common::in_range(0.0, 0.999))
       ->capture_default_str();
   add_choice(
       app, names::kFresnel, {"schlick", "exact"},
@@ -114,19 +115,19 @@ void add_renderer_options(CLI::App& app, frame::RendererSettings& settings) {
   app.add_option(names::kRenderScale, settings.render_scale,
                  "(0, 1]: pixels that virtual things are rendered in for each of the camera's, on "
                  "each axis; the camera image keeps all of its own")
-      ->check(CLI::Range(0.01, 1.0))
+      ->check(common::in_range(0.01, 1.0))
       ->capture_default_str();
   app.add_option(names::kTargetFps, settings.target_fps,
                  "frames a second: a frame's quality is lowered until it takes no longer; without "
                  "it, quality is as the other options say")
-      ->check(CLI::Range(0.1, 1000.0));
+      ->check(common::in_range(0.1, 1000.0));
   app.add_flag(names::kCoarse, settings.coarse_allowed,
                "let --target-fps lower what is plainly seen too: pixels (as --render-scale) and "
                "depth below 8");
   app.add_option(names::kThreads, settings.threads,
                  "threads for rendering; 0: one for each core that this process may use, which "
                  "affinity and a container's CPU quota may lessen")
-      ->check(CLI::Range(0, 4096))
+      ->check(common::in_range(0, 4096))
       ->capture_default_str();
 }
 

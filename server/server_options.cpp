@@ -27,7 +27,7 @@ void add_seconds(CLI::App& app, const std::string& name, std::chrono::millisecon
   app.add_option_function<double>(name, set, what)
       ->default_str(CLI::detail::to_string(static_cast<double>(value.count()) / 1000.0))
       ->type_name("SECONDS")
-      ->check(CLI::Range(least, 3600.0));
+      ->check(common::in_range(least, 3600.0));
 }
 
 void add_count(CLI::App& app, const std::string& name, std::size_t& value,
@@ -35,7 +35,7 @@ void add_count(CLI::App& app, const std::string& name, std::size_t& value,
   app.add_option(name, value, what)
       ->capture_default_str()
       ->type_name("N")
-      ->check(CLI::Range(1, 65536));
+      ->check(common::in_range(1, 65536));
 }
 
 void add_net_options(CLI::App& app, net::ServerConfig& net) {
@@ -64,12 +64,12 @@ void add_net_options(CLI::App& app, net::ServerConfig& net) {
   app.add_option("--environments-per-second", net.session.environments_per_second,
                  "environments that a client may send in the long run")
       ->capture_default_str()
-      ->check(CLI::Range(0.0, 1000.0));
+      ->check(common::in_range(0.0, 1000.0));
   app.add_option("--max-load", net.admission.load,
                  "part of the renderer's time that sessions may need together; further ones are "
                  "told to come back later. 0: no limit")
       ->capture_default_str()
-      ->check(CLI::Range(0.0, 1000.0));
+      ->check(common::in_range(0.0, 1000.0));
   app.add_option("--max-session-memory", net.admission.memory,
                  "bytes that sessions may need together, as 512MB; 0: no limit")
       ->capture_default_str()
@@ -227,7 +227,7 @@ std::optional<ServerOptions> parse_server_options(int argc, const char* const* a
                  "cannot take over the quality and the unchanged blocks of the camera's JPEG")
       ->capture_default_str()
       ->type_name("Q")
-      ->check(CLI::Range(1, 100));
+      ->check(common::in_range(1, 100));
   app.add_option("--log-level", options.log_level, "how much is logged to standard error")
       ->capture_default_str()
       ->check(CLI::IsMember({"trace", "debug", "info", "warn", "error", "off"}));

@@ -7,15 +7,14 @@
 #include <stdexcept>
 #include <utility>
 
+#include "common/utf8.h"
 #include "tracking/marker_dictionary.h"
 
 namespace amalgam::sheet {
 namespace {
 
 constexpr double kPageMargin = 10.0;  // mm: what printers leave white
-constexpr double kCaption = 8.0;      // mm below each marker's margin: two lines
-constexpr double kLine = 1.25;        // from baseline to baseline, of the font's size
-constexpr double kLetter = 0.65;      // the width of one, of the font's size; capitals are wide
+constexpr double kLine = 8.0;         // mm: a line of text with what is left free around it
 constexpr double kRulerText = 5.0;    // mm from the ruler's line to the bottom of its text
 constexpr double kRulerHeight = 10.0;
 
@@ -49,15 +48,8 @@ SheetMarker make_marker(int id, const cv::Mat& cells, const Square& outline, dou
   return marker;
 }
 
-std::string caption_of(const SheetOptions& options, int id) {
-  return options.dictionary + ", marker " + std::to_string(id);
-}
-
-// So that no caption reaches into the next one.
-double widest_caption(const SheetOptions& options, double font_size) {
-  std::size_t letters = 0;
-  for (const int id : options.ids) letters = std::max(letters, caption_of(options, id).size());
-  return kLetter * font_size * static_cast<double>(letters);
+bool has_title(const SheetOptions& options) {
+  return !options.title.empty() && common::is_utf8(options.title);
 }
 
 // One page with the title and the ruler.
@@ -68,7 +60,8 @@ MarkerSheet blank_sheet(const SheetOptions& options) {
   sheet.dictionary = options.dictionary;
   sheet.ruler = {.x = kPageMargin, .y = options.page_height - kPageMargin - kRulerText};
   SheetPage& page = sheet.pages.emplace_back();
-  if (!options.title.empty()) {
+  // A file's name may be anything; it is left out where it is no text.
+  if (has_title(options)) {
     page.texts.push_back({kPageMargin, kPageMargin + sheet.font_size, options.title});
   }
   page.texts.push_back({sheet.ruler.x, sheet.ruler.y + kRulerText,
@@ -97,18 +90,22 @@ MarkerSheet lay_out_markers(const SheetOptions& options) {
   const double side = 1000.0 * options.length;
   if (!(side > 0.0)) throw std::runtime_error("a marker's length must be above 0 m");
   const double margin = 2.0 * side / (known->markerSize + 2);
-  const double square = side + 2.0 * margin, down = square + kCaption;
+  const double across = side + 2.0 * margin, down = across + kLine;
   const double right = options.page_width - kPageMargin;
   const double bottom = options.page_height - kPageMargin - kRulerHeight;
-  const double top = kPageMargin + (options.title.empty() ? 0.0 : kCaption);
-  if (kPageMargin + square > right || top + down > bottom) {
+  const double head = kPageMargin + (has_title(options) ? kLine : 0.0), top = head + kLine;
+  if (kPageMargin + across > right || top + down > bottom) {
     throw std::runtime_error("a marker of " + millimetres(side) + " mm does not fit on a page of " +
                              millimetres(options.page_width) + " x " +
                              millimetres(options.page_height) + " mm");
   }
+  // Said once: beside small markers there is room for their numbers only.
   MarkerSheet sheet = blank_sheet(options);
-  const double across = std::max(
-      square, std::min(margin + widest_caption(options, sheet.font_size), right - kPageMargin));
+  SheetPage blank = sheet.pages.front();
+  blank.texts.push_back(
+      {kPageMargin, head + sheet.font_size,
+       options.dictionary + ": black squares are " + millimetres(side) + " mm wide"});
+  sheet.pages = {blank};
   double x = kPageMargin, y = top;
   for (const int id : options.ids) {
     if (x + across > right) {
@@ -116,17 +113,15 @@ MarkerSheet lay_out_markers(const SheetOptions& options) {
       y += down;
     }
     if (y + down > bottom) {
-      sheet.pages.push_back(blank_sheet(options).pages.front());
+      sheet.pages.push_back(blank);
       y = top;
     }
     SheetPage& page = sheet.pages.back();
     const Square outline{x + margin, y + margin, side};
     page.markers.push_back(make_marker(id, cells_of(known, id), outline, margin));
     // Print in the white margin would hide the marker's edge from detectors.
-    const double line = outline.y + side + margin + sheet.font_size;
-    page.texts.push_back({outline.x, line, caption_of(options, id)});
-    page.texts.push_back({outline.x, line + kLine * sheet.font_size,
-                          "black square: " + millimetres(side) + " mm wide"});
+    page.texts.push_back(
+        {outline.x, outline.y + side + margin + sheet.font_size, std::to_string(id)});
     x += across;
   }
   return sheet;
@@ -140,7 +135,7 @@ MarkerSheet lay_out_charuco(const SheetOptions& options, const tracking::Regular
   page.length = marker / 1000.0;
   const auto fits = [&] {
     return width <= page.page_width - 2.0 * kPageMargin &&
-           height <= page.page_height - 2.0 * kPageMargin - kRulerHeight - kCaption;
+           height <= page.page_height - 2.0 * kPageMargin - kRulerHeight - kLine;
   };
   if (!fits()) std::swap(page.page_width, page.page_height);
   if (!fits()) {
@@ -149,7 +144,7 @@ MarkerSheet lay_out_charuco(const SheetOptions& options, const tracking::Regular
   }
   MarkerSheet sheet = blank_sheet(page);
   SheetPage& only = sheet.pages.front();
-  const double left = 0.5 * (sheet.width - width), top = kPageMargin + kCaption;
+  const double left = 0.5 * (sheet.width - width), top = kPageMargin + kLine;
   const auto known = tracking::find_dictionary(options.dictionary);
   int id = board.first_id;
   for (int row = 0; row < board.rows; ++row) {

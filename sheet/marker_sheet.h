@@ -59,10 +59,10 @@ struct SheetOptions {
 // std::runtime_error for another name.
 void set_paper(SheetOptions& options, std::string_view name);
 
-// Places the markers in rows, each with a white margin of two cells and a caption below that says
-// its id and the length to measure after printing. Throws std::runtime_error for an unknown
-// dictionary or id, no id at all, a length that is not positive, or a marker that does not fit on a
-// page.
+// Places the markers in rows, each with a white margin of two cells and its id below. Each page
+// says the dictionary and the length to measure after printing. A title that is no UTF-8 is left
+// out. Throws std::runtime_error for an unknown dictionary or id, a length that is not positive, or
+// a marker that does not fit on a page.
 MarkerSheet lay_out_markers(const SheetOptions& options);
 
 // A ChArUco board on one page, wide or high as it fits. ids and length of the options are not used.

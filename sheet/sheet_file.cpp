@@ -60,18 +60,22 @@ void draw_page(cairo_t* context, const MarkerSheet& sheet, const SheetPage& page
   cairo_show_page(context);
 }
 
+void check(cairo_status_t status) {
+  if (status == CAIRO_STATUS_SUCCESS) return;
+  throw std::runtime_error(std::string("the markers cannot be written: ") +
+                           cairo_status_to_string(status));
+}
+
 void draw(const Surface& surface, const MarkerSheet& sheet, double units_per_millimetre) {
   {
     const Context context(cairo_create(surface.get()), &cairo_destroy);
     cairo_scale(context.get(), units_per_millimetre, units_per_millimetre);
     for (const SheetPage& page : sheet.pages) draw_page(context.get(), sheet, page);
+    // A text that it cannot draw ends a context, which the surface does not hear of.
+    check(cairo_status(context.get()));
   }
   cairo_surface_finish(surface.get());
-  const cairo_status_t status = cairo_surface_status(surface.get());
-  if (status != CAIRO_STATUS_SUCCESS) {
-    throw std::runtime_error(std::string("the markers cannot be written: ") +
-                             cairo_status_to_string(status));
-  }
+  check(cairo_surface_status(surface.get()));
 }
 
 // What cairo gives goes to the end of a string.

@@ -21,8 +21,7 @@ using Markers = std::vector<SeenBoardMarker>;
 bool shows_faces(const Markers& markers, const common::MarkerPose& pose) {
   const glm::dmat4 camera_from_board = common::to_matrix(pose);
   return std::ranges::all_of(markers, [&](const SeenBoardMarker& seen) {
-    const glm::dmat4 camera_from_marker = camera_from_board * frame_of(*seen.marker);
-    return glm::dot(glm::dvec3(camera_from_marker[2]), glm::dvec3(camera_from_marker[3])) < 0;
+    return shows_its_face(camera_from_board * frame_of(*seen.marker));
   });
 }
 

@@ -11,4 +11,8 @@ namespace amalgam::tracking {
 // anything else; for an unknown name it lists the known ones.
 cv::Ptr<cv::aruco::Dictionary> find_dictionary(const std::string& name);
 
+// The name of a predefined dictionary as it is; throws as above for any other. For names that come
+// from a server or a scene: whoever wrote them must not choose which files are read here.
+const std::string& predefined_dictionary(const std::string& name);
+
 }  // namespace amalgam::tracking

@@ -12,9 +12,6 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <optional>
-
-#include "common/pose.h"
 
 namespace amalgam::tracking {
 

@@ -12,7 +12,8 @@ std::optional<common::MarkerPose> PoseDisambiguation::choose(
   if (solutions.empty()) return std::nullopt;
   const PoseSolution* chosen = &solutions[0];
   const auto last = previous(frame);
-  if (!last) frames_against_ = 0;
+  // A frame without the choice does not contradict either.
+  if (!last || solutions.size() < 2) frames_against_ = 0;
   if (last && solutions.size() > 1) {
     const PoseSolution& second = solutions[1];
     const bool first_is_nearer = angle_between(last->rotation, chosen->pose.rotation) <=

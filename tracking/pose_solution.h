@@ -17,7 +17,10 @@ namespace amalgam::tracking {
 
 struct PoseSolution {
   common::MarkerPose pose;  // camera_from_target; its marker id is left 0
-  double error = 0.0;       // root mean square distance of the points, pixels without distortion
+  // Root mean square, pixels. Of a square (IPPE): of the coordinates' errors, without distortion.
+  // Of a board: of the corners' distances, in the distorted image, larger by sqrt(2) for equal
+  // errors.
+  double error = 0.0;
 };
 
 // From OpenCV's rotation vector and translation. Nothing if they are not finite, the target is

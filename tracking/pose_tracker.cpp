@@ -24,6 +24,16 @@ const Candidate& pick(const std::vector<Candidate>& candidates,
 
 }  // namespace
 
+TrackerCounts& TrackerCounts::operator+=(const TrackerCounts& other) {
+  images += other.images;
+  poses += other.poses;
+  repeated += other.repeated;
+  unsolved += other.unsolved;
+  board_poses += other.board_poses;
+  board_outliers += other.board_outliers;
+  return *this;
+}
+
 PoseTracker::PoseTracker(const PoseTrackerOptions& options, const common::CameraModel& camera)
     : options_(options), camera_(camera) {
   if (!(options.marker_length > 0) || !std::isfinite(options.marker_length)) {

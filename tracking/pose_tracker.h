@@ -36,6 +36,8 @@ struct TrackerCounts {
   std::uint64_t unsolved = 0;        // markers found whose corners gave no usable pose
   std::uint64_t board_poses = 0;     // images in which the board had a pose
   std::uint64_t board_outliers = 0;  // markers of the board that contradicted its others
+
+  TrackerCounts& operator+=(const TrackerCounts& other);
 };
 
 class PoseTracker {

@@ -12,11 +12,6 @@
 namespace amalgam::tracking {
 namespace {
 
-// Paper is printed on one side.
-bool shows_its_face(const common::MarkerPose& pose) {
-  return glm::dot(pose.rotation * glm::dvec3(0, 0, 1), pose.translation) < 0;
-}
-
 std::vector<PoseSolution> solve_ideal(const std::vector<cv::Point2d>& corners, double length,
                                       const common::CameraModel& camera) {
   const double half = 0.5 * length;
@@ -38,7 +33,8 @@ std::vector<PoseSolution> solve_ideal(const std::vector<cv::Point2d>& corners, d
     if (!(cv::norm(rotations[i]) <= std::numbers::pi + kRounding)) continue;
     const double error = errors.at<double>(static_cast<int>(i));
     const auto solution = make_solution(rotations[i], translations[i], error);
-    if (solution && shows_its_face(solution->pose)) solutions.push_back(*solution);
+    if (solution && shows_its_face(common::to_matrix(solution->pose)))
+      solutions.push_back(*solution);
   }
   std::ranges::stable_sort(solutions, {}, &PoseSolution::error);
   return solutions;
@@ -61,6 +57,10 @@ std::vector<PoseSolution> solve_square(const SquareCorners& corners, double mark
     if (nudged.size() > solutions.size()) solutions = std::move(nudged);
   }
   return solutions;
+}
+
+bool shows_its_face(const glm::dmat4& camera_from_marker) {
+  return glm::dot(glm::dvec3(camera_from_marker[2]), glm::dvec3(camera_from_marker[3])) < 0;
 }
 
 std::optional<SquareCorners> project_square(const common::MarkerPose& camera_from_marker,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <optional>
 #include <vector>
@@ -21,6 +22,9 @@ using SquareCorners = std::array<glm::dvec2, 4>;
 // marker_length in metres.
 std::vector<PoseSolution> solve_square(const SquareCorners& corners, double marker_length,
                                        const common::CameraModel& camera);
+
+// Whether the camera sees the printed side of a marker. Paper has one.
+bool shows_its_face(const glm::dmat4& camera_from_marker);
 
 // Where the corners of a marker with this pose appear. Nothing if the camera does not see one.
 std::optional<SquareCorners> project_square(const common::MarkerPose& camera_from_marker,

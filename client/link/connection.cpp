@@ -5,7 +5,9 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
+#include <iterator>
 #include <random>
+#include <set>
 #include <stdexcept>
 #include <thread>
 
@@ -24,6 +26,9 @@ using std::chrono::milliseconds;
 // Finds a restarted server within a second, without all clients coming at once.
 constexpr milliseconds kFirstBackoff{50};
 constexpr milliseconds kMaxBackoff{1000};
+
+// Errors that wait for the viewer; further ones are dropped. A frame has two at most.
+constexpr std::size_t kMaxWaitingErrors = 64;
 
 struct QueuedFrame {
   std::uint64_t id = 0;
@@ -44,7 +49,13 @@ class Connection::Worker {
   void start() {
     give_up_at_ = Clock::now() + options_.connect_timeout;
     asio::post(io_, [this] { open(); });
-    thread_ = std::thread([this] { io_.run(); });
+    thread_ = std::thread([this] {
+      try {
+        io_.run();
+      } catch (const std::exception& error) {  // out of memory, at best
+        give_up(error.what());
+      }
+    });
   }
 
   void stop() {
@@ -76,13 +87,17 @@ class Connection::Worker {
       events_.push(Welcomed{std::move(welcome)});
     };
     events.composite = [this](protocol::Composite composite) {
+      if (!is_asked_for(composite.frame_id())) return;
       events_.push(Composited{std::move(composite), Clock::now()});
     };
-    events.error = [this](protocol::Error error) { events_.push(FrameError{std::move(error)}); };
+    events.error = [this](protocol::Error error) {
+      if (events_.size() < kMaxWaitingErrors) events_.push(FrameError{std::move(error)});
+    };
     events.idle = [this] { write_waiting(); };
     events.ended = [this](const LinkEnd& end) { on_end(end); };
     link_ = std::make_shared<Link>(io_, tls_, std::move(events));
     was_welcomed_ = false;
+    unanswered_.clear();
     const auto left = std::chrono::duration_cast<milliseconds>(give_up_at_ - Clock::now());
     link_->open(options_.server, hello_, std::max(left, milliseconds(1)));
   }
@@ -91,19 +106,27 @@ class Connection::Worker {
     if (!link_ || !link_->is_idle()) return;
     if (auto frame = mailbox_.take()) {
       last_sent_ = frame->id;
+      unanswered_.insert(frame->id);
       link_->write_frame(std::move(frame->bytes));
     }
   }
 
+  // Composites of up to 32 MiB wait for the viewer: only those that it asked for, and once. Answers
+  // keep the order of the frames, so none is left of earlier ones.
+  bool is_asked_for(std::uint64_t frame_id) {
+    const auto frame = unanswered_.find(frame_id);
+    if (frame == unanswered_.end()) return false;
+    unanswered_.erase(unanswered_.begin(), std::next(frame));
+    return true;
+  }
+
   void on_end(const LinkEnd& end) {
     if (stopping_) return;
-    if (was_welcomed_) {
-      give_up_at_ = Clock::now() + options_.connect_timeout;
-      events_.push(LinkBroken{end.text, last_sent_});
-    }
     if (end.kind == LinkEnd::Kind::Refused) return give_up(end.text);
+    if (was_welcomed_) give_up_at_ = Clock::now() + options_.connect_timeout;
     const milliseconds pause = std::max(next_backoff(), later(end.retry_after));
     if (Clock::now() + pause >= give_up_at_) return give_up(end.text);
+    if (was_welcomed_) events_.push(LinkBroken{end.text, last_sent_});
     retry_timer_.expires_after(pause);
     retry_timer_.async_wait([this](const boost::system::error_code& ec) {
       if (!ec) open();
@@ -146,6 +169,7 @@ class Connection::Worker {
   milliseconds backoff_ = kFirstBackoff;
   Clock::time_point give_up_at_;
   std::uint64_t last_sent_ = 0;
+  std::set<std::uint64_t> unanswered_;  // sent over this link
   bool was_welcomed_ = false;
   bool stopping_ = false;
 };

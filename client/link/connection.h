@@ -33,7 +33,7 @@ struct ConnectionOptions {
 struct Welcomed {
   protocol::Welcome welcome;
 };
-struct Composited {
+struct Composited {  // of a frame that was sent, once
   protocol::Composite composite;
   std::chrono::steady_clock::time_point at;
 };
@@ -44,7 +44,7 @@ struct LinkBroken {  // being reconnected
   std::string text;
   std::uint64_t last_sent = 0;  // frames up to this id will not be answered
 };
-struct GaveUp {  // nothing more will come
+struct GaveUp {  // nothing more will come, not even for the frames that were sent
   std::string text;
 };
 using ConnectionEvent = std::variant<Welcomed, Composited, FrameError, LinkBroken, GaveUp>;
@@ -53,7 +53,8 @@ class Connection {
  public:
   // Starts connecting at once. Throws std::runtime_error if the certificates cannot be read.
   Connection(const ConnectionOptions& options, const protocol::Hello& hello);
-  // Says goodbye, and waits up to a second for it to be received.
+  // Says goodbye, and waits up to a second for it to be received; for longer only while the
+  // server's name is being resolved, which cannot be interrupted.
   ~Connection();
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;

@@ -1,9 +1,9 @@
-// A queue of events from the network thread to the viewer's. Bounded by the peer's answers: a frame
-// has at most one composite, and frames are few.
+// A queue of events from the network thread to the viewer's. Whoever pushes keeps it short.
 #pragma once
 
 #include <chrono>
 #include <condition_variable>
+#include <cstddef>
 #include <deque>
 #include <mutex>
 #include <optional>
@@ -20,6 +20,11 @@ class EventQueue {
       events_.push_back(std::move(event));
     }
     filled_.notify_one();
+  }
+
+  std::size_t size() {
+    const std::lock_guard lock(mutex_);
+    return events_.size();
   }
 
   std::optional<Event> wait(std::chrono::milliseconds timeout) {

@@ -1,7 +1,8 @@
 #include "client/link/frames_in_flight.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "common/nearest_rank.h"
 
 namespace amalgam::client {
 
@@ -36,15 +37,11 @@ void FramesInFlight::lost_up_to(std::uint64_t id) {
 }
 
 LatencySummary FramesInFlight::latency() const {
-  if (latencies_.empty()) return {};
   std::vector<float> sorted = latencies_;
   std::ranges::sort(sorted);
-  // The nearest rank: the smallest value that the given share of frames does not exceed.
-  const auto rank = [&](double share) {
-    const double position = std::ceil(share * static_cast<double>(sorted.size())) - 1.0;
-    return static_cast<double>(sorted[static_cast<std::size_t>(std::max(position, 0.0))]);
-  };
-  return {.median = rank(0.5), .p95 = rank(0.95), .p99 = rank(0.99)};
+  return {.median = common::nearest_rank(sorted, 0.5),
+          .p95 = common::nearest_rank(sorted, 0.95),
+          .p99 = common::nearest_rank(sorted, 0.99)};
 }
 
 }  // namespace amalgam::client

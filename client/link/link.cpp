@@ -135,7 +135,9 @@ void Link::take(std::span<const std::byte> input) {
     if (const auto* failure = std::get_if<protocol::Decoder::Failure>(&result)) {
       return end(LinkEnd::Kind::Refused, "the server sent no valid message: " + failure->what);
     }
-    visit(std::get<Envelope>(result));
+    auto* const envelope = std::get_if<Envelope>(&result);
+    if (envelope == nullptr) return refuse_kind();
+    visit(*envelope);
   }
 }
 
@@ -179,8 +181,12 @@ void Link::visit(Envelope& envelope) {
     case Envelope::kEnvironment:
     case Envelope::kGoodbye:
     case Envelope::BODY_NOT_SET:
-      return end(LinkEnd::Kind::Refused, "the server sent a message that servers do not send");
+      return refuse_kind();
   }
+}
+
+void Link::refuse_kind() {
+  end(LinkEnd::Kind::Refused, "the server sent a message that servers do not send");
 }
 
 void Link::on_error(Error& error) {

@@ -87,6 +87,7 @@ class Link : public std::enable_shared_from_this<Link> {
   void on_read(const ErrorCode& ec, std::size_t size);
   void take(std::span<const std::byte> input);
   void visit(protocol::Envelope& envelope);
+  void refuse_kind();
   void on_error(protocol::Error& error);
   void send_control(const protocol::Envelope& envelope);
   void write(std::string bytes);

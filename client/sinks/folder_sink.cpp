@@ -11,10 +11,11 @@ namespace {
 class FolderSink : public FrameSink {
  public:
   explicit FolderSink(const std::filesystem::path& folder) : folder_(folder) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (!std::filesystem::is_directory(folder)) {
-      throw std::runtime_error("--output: " + folder.string() + " cannot be made");
+    std::error_code why, ignored;
+    std::filesystem::create_directories(folder, why);
+    if (!std::filesystem::is_directory(folder, ignored)) {
+      throw std::runtime_error("--output: " + folder.string() + " cannot be made (" +
+                               why.message() + ")");
     }
   }
 

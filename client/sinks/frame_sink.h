@@ -1,12 +1,10 @@
 // A destination of composites: a window, a film or a folder.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <span>
-#include <string>
 
 namespace amalgam::client {
 

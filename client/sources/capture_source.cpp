@@ -22,7 +22,10 @@ CaptureSource CaptureSource::device(int number, cv::Size size, int jpeg_quality)
 }
 
 CaptureSource CaptureSource::film(const std::string& file, cv::Size size, int jpeg_quality) {
-  if (!std::filesystem::is_regular_file(file)) throw std::runtime_error(file + ": no such file");
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) {
+    throw std::runtime_error(file + ": no such file");
+  }
   cv::VideoCapture capture(file);
   if (!capture.isOpened()) throw std::runtime_error(file + " is no film that can be read");
   // OpenCV 4.6 turns films the wrong way by their rotation tag (opencv issue 22088), so we turn

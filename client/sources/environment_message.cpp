@@ -1,8 +1,6 @@
 #include "client/sources/environment_message.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
@@ -15,14 +13,6 @@ namespace amalgam::client {
 namespace {
 
 constexpr int kQuality = 95;  // light is extracted from it: artefacts would become lamps
-
-Bytes read_bytes(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  Bytes bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if (!in || bytes.empty())
-    throw std::runtime_error("environment " + file.string() + ": cannot be read");
-  return bytes;
-}
 
 cv::Mat fit_into_limits(const cv::Mat& image) {
   constexpr int kMaxSide = static_cast<int>(protocol::kMaxSide);
@@ -39,7 +29,7 @@ cv::Mat fit_into_limits(const cv::Mat& image) {
 
 protocol::Envelope load_environment(const std::filesystem::path& image,
                                     const std::filesystem::path& fisheye) {
-  Bytes jpeg = read_bytes(image);
+  Bytes jpeg = read_picture("environment", image);
   const cv::Mat decoded = decode_image(jpeg);
   if (decoded.empty()) {
     throw std::runtime_error("environment " + image.string() + ": is no image");

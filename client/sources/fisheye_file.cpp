@@ -5,7 +5,9 @@
 #include <opencv2/core.hpp>
 #include <opencv2/core/persistence.hpp>
 
-#include "client/tracking/opencv_file.h"
+#include "common/camera_model.h"
+#include "common/pose.h"
+#include "tracking/opencv_file.h"
 
 namespace amalgam::client {
 namespace {
@@ -15,7 +17,7 @@ using std::filesystem::path;
 constexpr const char* kKind = "fish-eye calibration";
 
 [[noreturn]] void fail(const path& file, const std::string& what) {
-  fail_file(kKind, file, what);
+  tracking::fail_file(kKind, file, what);
 }
 
 // A number; if it is missing, the default, if given.
@@ -57,10 +59,7 @@ glm::dquat read_rotation(const cv::FileNode& node, const path& file) {
     q[i] = read_number(node[static_cast<int>(i)], file, "world_from_fisheye", NAN);
   }
   const glm::dquat rotation(q[3], q[0], q[1], q[2]);
-  constexpr double kMaxLengthError = 1e-3;
-  if (!(std::abs(glm::length(rotation) - 1.0) <= kMaxLengthError)) {
-    fail(file, "world_from_fisheye is no unit quaternion");
-  }
+  if (!common::is_unit(rotation)) fail(file, "world_from_fisheye is no unit quaternion");
   return glm::normalize(rotation);
 }
 
@@ -78,13 +77,12 @@ FisheyeCalibration read(const cv::FileStorage& storage, const path& file, int wi
   const double degrees =
       read_number(storage["max_angle_degrees"], file, "max_angle_degrees", kHalfTurn);
   FisheyeCalibration calibration;
-  // Pixel 0 is the centre of the first pixel: half a pixel before it the image begins.
   calibration.lens = {.width = width,
                       .height = height,
                       .fx = k(0, 0) * scale_x,
                       .fy = k(1, 1) * scale_y,
-                      .cx = (k(0, 2) + 0.5) * scale_x - 0.5,
-                      .cy = (k(1, 2) + 0.5) * scale_y - 0.5,
+                      .cx = common::scaled_position(k(0, 2), scale_x),
+                      .cy = common::scaled_position(k(1, 2), scale_y),
                       .max_angle = glm::radians(degrees)};
   calibration.world_from_fisheye = read_rotation(storage["world_from_fisheye"], file);
   return calibration;
@@ -93,8 +91,8 @@ FisheyeCalibration read(const cv::FileStorage& storage, const path& file, int wi
 }  // namespace
 
 FisheyeCalibration load_fisheye(const path& file, int width, int height) {
-  const std::string text = read_small_text(kKind, file);
-  const QuietOpenCv quiet;
+  const std::string text = tracking::read_small_text(kKind, file);
+  const tracking::QuietOpenCv quiet;
   try {
     const cv::FileStorage storage(text, cv::FileStorage::READ | cv::FileStorage::MEMORY);
     const FisheyeCalibration calibration = read(storage, file, width, height);
@@ -102,7 +100,7 @@ FisheyeCalibration load_fisheye(const path& file, int width, int height) {
     if (!defect.empty()) fail(file, defect);
     return calibration;
   } catch (const cv::Exception& error) {
-    fail(file, "is not an OpenCV file (" + error.err.substr(0, error.err.find('\n')) + ")");
+    fail(file, "is not an OpenCV file (" + tracking::first_line(error) + ")");
   }
 }
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
@@ -34,13 +33,6 @@ std::vector<std::filesystem::path> matching_files(const std::vector<std::string>
   return files;
 }
 
-Bytes read_file(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  Bytes bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if (!in) throw std::runtime_error(file.string() + " cannot be read");
-  return bytes;
-}
-
 cv::Mat decode(const std::filesystem::path& file, const Bytes& bytes) {
   cv::Mat image = decode_image(bytes);
   if (image.empty()) throw std::runtime_error(file.string() + " is no image that can be read");
@@ -54,11 +46,12 @@ ImagesSource::ImagesSource(const ImagesOptions& options)
   if (files_.empty()) throw std::runtime_error("no images");
   // A missing one is said now, and not when the server waits for it.
   for (const std::filesystem::path& file : files_) {
-    if (!std::filesystem::is_regular_file(file) || !std::ifstream(file)) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error) || !std::ifstream(file)) {
       throw std::runtime_error(file.string() + " cannot be read");
     }
   }
-  if (size_.empty()) size_ = decode(files_[0], read_file(files_[0])).size();
+  if (size_.empty()) size_ = decode(files_[0], read_picture("image", files_[0])).size();
 }
 
 std::optional<CapturedFrame> ImagesSource::next() {
@@ -67,7 +60,7 @@ std::optional<CapturedFrame> ImagesSource::next() {
   const std::filesystem::path& file = files_[next_++];
   CapturedFrame frame;
   frame.captured_at = std::chrono::steady_clock::now();
-  frame.jpeg = read_file(file);
+  frame.jpeg = read_picture("image", file);
   frame.bgr = decode(file, frame.jpeg);
   bool as_it_is = is_sendable_jpeg(frame.jpeg);
   if (frame.bgr.size() != size_) {

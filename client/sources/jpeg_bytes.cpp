@@ -3,7 +3,9 @@
 #include <opencv2/imgcodecs.hpp>
 #include <optional>
 #include <stdexcept>
+#include <string>
 
+#include "common/whole_file.h"
 #include "protocol/limits.h"
 
 namespace amalgam::client {
@@ -30,7 +32,7 @@ std::optional<std::span<const unsigned char>> baseline_header(
     const std::size_t length = static_cast<std::size_t>(bytes[at + 2]) << 8 | bytes[at + 3];
     if (length < 2 || at + 2 + length > bytes.size() || marker == kStartOfScan) return {};
     if (marker == kBaselineFrame) return bytes.subspan(at + 4, length - 2);
-    // C4, C8 and CC are tables; the rest of C1..CF are the other kinds of frame.
+    // C4 and CC are tables; the rest of C1..CF are the other kinds of frame (C8 is reserved).
     const bool other_frame = marker >= 0xC1 && marker <= 0xCF && marker != 0xC4 && marker != 0xCC;
     if (other_frame) return {};
     at += 2 + length;
@@ -45,11 +47,21 @@ bool is_sendable_jpeg(std::span<const unsigned char> bytes) {
   const auto header = baseline_header(bytes);
   if (!header || header->size() < 6 || (*header)[0] != 8) return false;
   const std::size_t components = (*header)[5];
+  if (components != 1 && components != 3) return false;
   if (header->size() < 6 + 3 * components) return false;
   const auto sampling = [&](std::size_t component) { return (*header)[6 + 3 * component + 1]; };
   if (components == 1) return true;
   const bool luma = sampling(0) == 0x11 || sampling(0) == 0x21 || sampling(0) == 0x22;
-  return components == 3 && luma && sampling(1) == 0x11 && sampling(2) == 0x11;
+  return luma && sampling(1) == 0x11 && sampling(2) == 0x11;
+}
+
+Bytes read_picture(const char* kind, const std::filesystem::path& file) {
+  try {
+    const std::string bytes = common::read_whole_file(file, common::kMostPictureBytes);
+    return {bytes.begin(), bytes.end()};
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(std::string(kind) + " " + error.what());
+  }
 }
 
 Bytes encode_jpeg(const cv::Mat& bgr, int quality) {

@@ -11,7 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "client/tracking/opencv_file.h"
+#include "common/pose.h"
+#include "tracking/opencv_file.h"
 
 namespace amalgam::client {
 namespace {
@@ -19,7 +20,7 @@ namespace {
 using std::filesystem::path;
 
 [[noreturn]] void fail(const path& file, const std::string& what) {
-  fail_file("board", file, what);
+  tracking::fail_file("board", file, what);
 }
 
 template <std::size_t Count>
@@ -46,10 +47,7 @@ glm::dquat read_rotation(const cv::FileNode& node, const path& file, const std::
   if (node.empty()) return {1.0, 0.0, 0.0, 0.0};
   const auto [x, y, z, w] = read_numbers<4>(node, file, what);
   const glm::dquat rotation(w, x, y, z);
-  constexpr double kMaxLengthError = 1e-3;
-  if (!(std::abs(glm::length(rotation) - 1.0) <= kMaxLengthError)) {
-    fail(file, what + " is no unit quaternion");
-  }
+  if (!common::is_unit(rotation)) fail(file, what + " is no unit quaternion");
   return glm::normalize(rotation);
 }
 
@@ -97,9 +95,10 @@ std::optional<tracking::RegularBoard> parse_regular(std::string_view text) {
   const auto rows = parse<int>(parts[0].substr(x + 1));
   const auto first = parse<double>(parts[1]), second = parse<double>(parts[2]);
   const auto id = parts.size() == 4 ? parse<int>(parts[3]) : std::optional(0);
-  constexpr int kMaxSide = 100;
+  constexpr int kMaxSide = 100, kMaxId = 1'000'000;  // no board's last id overflows
   if (!columns || !rows || !first || !second || !id) return std::nullopt;
   if (*columns < 1 || *rows < 1 || *columns > kMaxSide || *rows > kMaxSide) return std::nullopt;
+  if (*id < 0 || *id > kMaxId) return std::nullopt;
   return tracking::RegularBoard{*columns, *rows, *first, *second, *id};
 }
 
@@ -112,8 +111,8 @@ tracking::MarkerBoard checked(tracking::MarkerBoard board, const std::string& te
 }  // namespace
 
 tracking::MarkerBoard load_board(const path& file) {
-  const std::string text = read_small_text("board", file);
-  const QuietOpenCv quiet;
+  const std::string text = tracking::read_small_text("board", file);
+  const tracking::QuietOpenCv quiet;
   tracking::MarkerBoard board;
   try {
     const cv::FileStorage storage(text, cv::FileStorage::READ | cv::FileStorage::MEMORY);
@@ -123,7 +122,7 @@ tracking::MarkerBoard load_board(const path& file) {
       board.markers.push_back(read_marker(marker, storage["marker_length"], file));
     }
   } catch (const cv::Exception& error) {
-    fail(file, "is not an OpenCV file (" + error.err.substr(0, error.err.find('\n')) + ")");
+    fail(file, "is not an OpenCV file (" + tracking::first_line(error) + ")");
   }
   if (const std::string defect = describe_defect(board); !defect.empty()) fail(file, defect);
   return board;

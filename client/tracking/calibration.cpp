@@ -4,8 +4,8 @@
 #include <stdexcept>
 
 #include "client/tracking/calibration_file.h"
-#include "client/tracking/opencv_file.h"
 #include "common/log.h"
+#include "tracking/opencv_file.h"
 
 namespace amalgam::client {
 namespace {
@@ -14,7 +14,7 @@ constexpr std::size_t kTiltedCoefficients =
     14;  // OpenCV's longest model: 12 of ours and 2 of a tilt
 
 [[noreturn]] void fail(const std::filesystem::path& file, const std::string& what) {
-  fail_file("calibration", file, what);
+  tracking::fail_file("calibration", file, what);
 }
 
 void read_intrinsics(const std::array<double, 9>& k, const std::filesystem::path& file,
@@ -45,11 +45,6 @@ void read_distortion(const std::vector<double>& coefficients, const std::filesys
       fail(file, "a tilted sensor (distortion coefficients 13 and 14) is not supported");
     }
   }
-}
-
-// Lengths scale about the image's corner, which lies half a pixel before the first pixel's centre.
-double scaled_position(double position, double scale) {
-  return (position + 0.5) * scale - 0.5;
 }
 
 std::string size_text(int width, int height) {
@@ -97,8 +92,8 @@ common::CameraModel fit_to_image(const common::CameraModel& calibration, int wid
                      " and scaled to " + size_text(width, height));
     camera.fx = calibration.fx * scale;
     camera.fy = calibration.fy * scale_y;
-    camera.cx = scaled_position(calibration.cx, scale);
-    camera.cy = scaled_position(calibration.cy, scale_y);
+    camera.cx = common::scaled_position(calibration.cx, scale);
+    camera.cy = common::scaled_position(calibration.cy, scale_y);
   }
   if (const std::string defect = common::describe_defect(camera); !defect.empty()) {
     throw std::runtime_error("the calibration cannot be used: " + defect);

@@ -5,7 +5,7 @@
 #include <opencv2/core/persistence.hpp>
 #include <string>
 
-#include "client/tracking/opencv_file.h"
+#include "tracking/opencv_file.h"
 
 namespace amalgam::client {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 using std::filesystem::path;
 
 [[noreturn]] void fail(const path& file, const std::string& what) {
-  fail_file("calibration", file, what);
+  tracking::fail_file("calibration", file, what);
 }
 
 // The first of the names that the file has.
@@ -136,7 +136,7 @@ CalibrationNumbers read_flat(const cv::FileNode& root, const path& file) {
     for (const std::string& key : root.keys()) keys += (keys.empty() ? "" : ", ") + key;
     fail(file, "has no camera_matrix (cameraMatrix, K, ...); it has " + keys.substr(0, 200));
   }
-  if (distortion_node.empty() && find(root, {"D", "d"}).isNone()) {
+  if (distortion_node.empty()) {
     fail(file, "has no distortion_coefficients (distCoeffs, dist_coeff, D, ...)");
   }
   const Matrix matrix = read_matrix(matrix_node, file);
@@ -168,14 +168,16 @@ std::string with_head(const std::string& text) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   const bool is_json = first != std::string::npos && text[first] == '{';
   if (is_json || text.starts_with("%YAML") || text.starts_with("<?xml")) return text;
-  return "%YAML:1.0\n---\n" + (text.starts_with("---") ? text.substr(text.find('\n') + 1) : text);
+  // What rostopic echo prints ends in a line ---, or has further messages behind it.
+  const std::size_t begin = text.starts_with("---") ? std::min(text.find('\n'), text.size()) : 0;
+  return "%YAML:1.0\n---\n" + text.substr(begin, text.find("\n---", begin) - begin) + "\n";
 }
 
 }  // namespace
 
 CalibrationNumbers read_calibration_file(const path& file) {
-  const std::string text = read_small_text("calibration", file);
-  const QuietOpenCv quiet;
+  const std::string text = tracking::read_small_text("calibration", file);
+  const tracking::QuietOpenCv quiet;
   try {
     const cv::FileStorage storage(with_head(text), cv::FileStorage::READ | cv::FileStorage::MEMORY);
     const cv::FileNode root = storage.isOpened() ? storage.root() : cv::FileNode();
@@ -184,9 +186,8 @@ CalibrationNumbers read_calibration_file(const path& file) {
     }
     return root["cam0"].isMap() ? read_kalibr(root, file) : read_flat(root, file);
   } catch (const cv::Exception& error) {
-    std::string reason = error.err;
-    reason = reason.substr(0, reason.find('\n'));
-    fail(file, "is no calibration file of OpenCV, ROS (camera_info) or Kalibr (" + reason + ")");
+    fail(file, "is no calibration file of OpenCV, ROS (camera_info) or Kalibr (" +
+                   tracking::first_line(error) + ")");
   }
 }
 

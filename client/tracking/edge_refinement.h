@@ -12,7 +12,8 @@
 namespace amalgam::client {
 
 // grey: 8 bits. bits: of the marker's pattern along a side, without its border of one bit. Corners
-// that cannot be improved (weak edges, or a result further than half a bit away) are unchanged.
+// that cannot be improved (weak edges, or a result further away than half a bit, and than 1.5
+// pixels) are unchanged.
 tracking::SquareCorners refine_corners(const cv::Mat& grey, int bits,
                                        const tracking::SquareCorners& corners);
 

@@ -1,32 +1,46 @@
 #include "client/tracking/poses_file.h"
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 
+#include "common/whole_file.h"
+
 namespace amalgam::client {
 namespace {
+
+const nlohmann::json& find_member(const nlohmann::json& object, const char* key,
+                                  const std::string& where) {
+  const auto found = object.is_object() ? object.find(key) : object.end();
+  if (!object.is_object() || found == object.end()) {
+    throw std::runtime_error(where + " has no '" + key + "'");
+  }
+  return *found;
+}
+
+const nlohmann::json& list(const nlohmann::json& object, const char* key,
+                           const std::string& where) {
+  const nlohmann::json& found = find_member(object, key, where);
+  if (!found.is_array()) throw std::runtime_error(where + ": '" + key + "' is not a list");
+  return found;
+}
 
 // The member of an object, as a T; errors name the key and not the JSON library.
 template <typename T>
 T member(const nlohmann::json& object, const char* key, const std::string& where,
          const char* expected) {
-  const auto found = object.is_object() ? object.find(key) : object.end();
-  if (!object.is_object() || found == object.end()) {
-    throw std::runtime_error(where + " has no '" + key + "'");
-  }
+  const nlohmann::json& found = find_member(object, key, where);
   try {
-    return found->template get<T>();
+    return found.get<T>();
   } catch (const nlohmann::json::exception&) {
     throw std::runtime_error(where + ": '" + key + "' is not " + expected);
   }
 }
 
 nlohmann::json read_json(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  if (!file) throw std::runtime_error(path.string() + ": cannot be read");
-  nlohmann::json json = nlohmann::json::parse(file, nullptr, false);
+  constexpr std::size_t kMostBytes = std::size_t{16} << 20;
+  nlohmann::json json =
+      nlohmann::json::parse(common::read_whole_file(path, kMostBytes), nullptr, false);
   if (json.is_discarded()) throw std::runtime_error(path.string() + ": is not JSON");
   return json;
 }
@@ -34,8 +48,9 @@ nlohmann::json read_json(const std::filesystem::path& path) {
 }  // namespace
 
 std::vector<common::MarkerPose> load_poses(const std::filesystem::path& path) {
-  const auto entries =
-      member<std::vector<nlohmann::json>>(read_json(path), "poses", path.string(), "a list");
+  const nlohmann::json json = read_json(path);
+  // By reference: copies call themselves for each level, of which a file may have very many.
+  const nlohmann::json& entries = list(json, "poses", path.string());
   std::vector<common::MarkerPose> poses;
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const std::string where = path.string() + ": poses[" + std::to_string(i) + "]";

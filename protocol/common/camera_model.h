@@ -44,6 +44,12 @@ std::optional<glm::dvec2> undistort(const CameraModel& camera, const glm::dvec2&
 // may lie outside the image.
 std::optional<glm::dvec2> project(const CameraModel& camera, const glm::dvec3& point_in_camera);
 
+// Where a position in the image (pixel 0 is the centre of the first pixel) lies after the image is
+// scaled. Lengths scale about the image's corner, half a pixel before that.
+constexpr double scaled_position(double position, double scale) {
+  return (position + 0.5) * scale - 0.5;
+}
+
 // The direction (z = 1, not normalised) that a pixel sees; nothing where undistort() gives nothing.
 std::optional<glm::dvec3> pixel_direction(const CameraModel& camera, const glm::dvec2& pixel);
 

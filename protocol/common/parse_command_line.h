@@ -6,7 +6,10 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <iostream>
+#include <sstream>
 #include <stdexcept>
+#include <string>
+#include <type_traits>
 
 namespace amalgam::common {
 
@@ -25,6 +28,20 @@ inline bool parse_command_line(CLI::App& app, const std::function<void()>& parse
     throw std::invalid_argument(error.what());
   }
   return false;
+}
+
+// A number from low to high. CLI::Range lets NaN pass.
+template <typename Number>
+CLI::Validator in_range(Number low, Number high) {
+  std::ostringstream range;
+  range << '[' << low << " - " << high << ']';
+  return CLI::Validator(
+      [low, high, range = range.str()](const std::string& text) -> std::string {
+        Number value{};
+        const bool good = CLI::detail::lexical_cast(text, value) && value >= low && value <= high;
+        return good ? std::string() : "Value " + text + " not in range " + range;
+      },
+      std::string(std::is_floating_point_v<Number> ? "FLOAT" : "INT") + " in " + range.str());
 }
 
 inline bool parse_command_line(CLI::App& app, int argc, const char* const* argv) {

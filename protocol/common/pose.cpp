@@ -4,14 +4,17 @@
 
 namespace amalgam::common {
 
-bool is_usable(const MarkerPose& pose) {
-  const glm::dquat& q = pose.rotation;
+// Comparisons are written so that a NaN anywhere makes them false.
+
+bool is_unit(const glm::dquat& q) {
   const double length = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
   constexpr double kMaxLengthError = 1e-3;
+  return std::abs(length - 1.0) <= kMaxLengthError;
+}
+
+bool is_usable(const MarkerPose& pose) {
   constexpr double kMaxDistance = 1e7;
-  // Written so that a NaN anywhere makes a comparison false.
-  return std::abs(length - 1.0) <= kMaxLengthError &&
-         std::abs(pose.translation.x) <= kMaxDistance &&
+  return is_unit(pose.rotation) && std::abs(pose.translation.x) <= kMaxDistance &&
          std::abs(pose.translation.y) <= kMaxDistance &&
          std::abs(pose.translation.z) <= kMaxDistance;
 }

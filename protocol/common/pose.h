@@ -16,7 +16,10 @@ struct MarkerPose {
   glm::dvec3 translation{0.0};
 };
 
-// A pose is usable if it is finite, its quaternion has a length within 1e-3 of 1 (numerics B22) and
+// A unit quaternion to within a length of 1e-3 (numerics B22).
+bool is_unit(const glm::dquat& rotation);
+
+// A pose is usable if it is finite, its quaternion is a unit one and
 // no coordinate of its translation exceeds 1e7 m.
 bool is_usable(const MarkerPose& pose);
 

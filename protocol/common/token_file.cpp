@@ -1,9 +1,10 @@
 #include "common/token_file.h"
 
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
+
+#include "common/utf8.h"
+#include "common/whole_file.h"
 
 namespace amalgam::common {
 namespace {
@@ -14,23 +15,13 @@ constexpr std::size_t kMaxFileBytes = 1024 * 1024;  // thousands of tokens
   throw std::runtime_error("the token file " + path.string() + " " + what);
 }
 
-bool is_utf8(const std::string& text) {
-  try {
-    static_cast<void>(nlohmann::json(text).dump());
-    return true;
-  } catch (const nlohmann::json::type_error&) {
-    return false;
-  }
-}
-
 std::string read(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw std::runtime_error("cannot read the token file " + path.string());
-  // One byte more than allowed shows that there is more, whatever the size of the file.
-  std::string text(kMaxFileBytes + 1, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(file.gcount()));
-  if (text.size() > kMaxFileBytes) fail(path, "is too large");
+  std::string text;
+  try {
+    text = read_whole_file(path, kMaxFileBytes);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(std::string("the token file ") + error.what());
+  }
   if (!is_utf8(text)) fail(path, "is not UTF-8");
   return text;
 }

@@ -54,11 +54,11 @@ def test_the_hello_is_the_documents():
 def test_limits_are_those_of_the_server():
     header = (support.SOURCE / "protocol/limits.h").read_text()
     constants = {name: eval(value) for name, value in
-                 re.findall(r"(k\w+) = ([\d *]+);", header)}
+                 re.findall(r"(k\w+) = ([\d *e]+);", header)}
     times = {name: int(ms) for name, ms in re.findall(r"milliseconds (k\w+)\{(\d+)\}", header)}
     for name in ("PROTOCOL_VERSION", "LENGTH_BYTES", "MAX_CONTROL_BYTES", "MAX_CAMERA_FRAME_BYTES",
                  "MAX_COMPOSITE_BYTES", "MAX_TOKEN_BYTES", "MAX_SIDE", "MAX_POSES", "MAX_DISTORTION",
-                 "MAX_JPEG_QUALITY", "MAX_BEFORE_HELLO_BYTES"):
+                 "MAX_JPEG_QUALITY", "MAX_BEFORE_HELLO_BYTES", "MAX_SMOOTHING"):
         assert getattr(limits, name) == constants["k" + name.title().replace("_", "")], name
     assert limits.IDLE_TIMEOUT * 1000 == times["kIdleTimeout"]
     assert limits.LINGER * 1000 == times["kLinger"]

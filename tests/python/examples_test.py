@@ -55,6 +55,14 @@ def test_composite_folder_skips_what_it_cannot_read(server, tmp_path):
     assert not (tmp_path / "out/0.jpg").exists()
 
 
+def test_composite_folder_loses_no_composite_to_another(server, tmp_path):
+    marker = write_pictures(tmp_path / "in")
+    cv2.imwrite(str(tmp_path / "in/a.png"), marker)
+    done = run("composite_folder.py", tmp_path / "in", tmp_path / "out", "--server", server.address)
+    assert done.returncode == 2 and "a.jpg and a.png would both become a.jpg" in done.stderr
+    assert not (tmp_path / "out").exists()
+
+
 def test_composite_folder_without_anything_to_do(server, tmp_path):
     (tmp_path / "in").mkdir()
     for address in (server.address, "127.0.0.1:1"):

@@ -73,6 +73,17 @@ def test_a_pose_does_not_flip_for_a_slightly_better_one():
     assert choice.choose([solution(-30, 0.2), solution(30, 0.3)], 37) == there  # forgotten after 30 images
 
 
+def test_a_frame_with_one_solution_is_no_evidence():
+    choice = PoseChoice()
+    here, there = support.tilted(30), support.tilted(-30)
+    clear = [solution(-30, 0.1), solution(30, 0.3)]
+    choice.choose([solution(30, 0.1), solution(-30, 0.3)], 1)
+    assert choice.choose(clear, 2) == choice.choose(clear, 3) == here
+    assert choice.choose([solution(30, 0.1)], 4) == here
+    assert choice.choose(clear, 5) == choice.choose(clear, 6) == here
+    assert choice.choose(clear, 7) == there
+
+
 def test_what_is_sent_unchanged():
     plain = support.plain_jpeg()
     assert jpeg.to_jpeg(plain, 92) == plain
@@ -121,7 +132,15 @@ def test_calibrations(tmp_path):
         bad.write_text(text)
         with pytest.raises(amalgam.LimitError, match=why):
             amalgam.Camera.from_file(bad)
-    for text in ("", "a: 1\n", ros.read_text().replace("plumb_bob", "equidistant"),
+    for text in (ros.read_text() + "---\n", "---\n" + ros.read_text(), "---\n" + ros.read_text() + "---\nother: 1\n"):
+        bad.write_text(text)
+        assert amalgam.Camera.from_file(bad) == expected  # as rostopic echo prints it
+    for text, why in ((ros.read_text() + "fisheye_model: 1\n", "fisheye"),
+                      (ros.read_text().replace("distortion_coefficients", "other"), "no distortion_coefficients")):
+        bad.write_text(text)
+        with pytest.raises(amalgam.LimitError, match=why):
+            amalgam.Camera.from_file(bad)
+    for text in ("", "---", "a: 1\n", ros.read_text().replace("plumb_bob", "equidistant"),
                  ros.read_text().replace("0, 0, 1]", "0, 0, 2]"), "{ \"", "\x00"):
         bad.write_text(text)
         with pytest.raises(amalgam.LimitError, match="^calibration .*bad.yml: [^\n]+$"):

@@ -34,7 +34,7 @@ class Held(threading.Thread):
         super().__init__(daemon=True)
         self._listener = socket.create_server(("127.0.0.1", 0))
         self.address = "127.0.0.1:%d" % self._listener.getsockname()[1]
-        self.arrived, self.answered = [], 0
+        self.arrived = []
         self._changed = threading.Condition()
         self.start()
 
@@ -149,6 +149,70 @@ def test_a_stream_ends_with_its_session():
             list(session.stream(camera()))
 
 
+def wait_in_a_thread(work):
+    """Starts it; the list gets what it raises or returns."""
+    outcome = []
+
+    def run():
+        try:
+            outcome.append(work())
+        except BaseException as error:
+            outcome.append(error)
+
+    thread = threading.Thread(target=run, daemon=True)
+    thread.start()
+    return thread, outcome
+
+
+def test_close_wakes_whoever_waits_in_another_thread():
+    """For an answer, for a frame of the source, and for a frame to be made ready."""
+    entered, leave = threading.Semaphore(0), threading.Event()
+
+    def camera():
+        entered.release()
+        leave.wait(20)
+        yield FRAMES[0], []
+
+    held = Held()
+    session = connect(held)
+    prepare = session._session._prepare
+
+    def slowly(frame, poses, corners):
+        if frame is FRAMES[2]:
+            entered.release()
+            leave.wait(20)
+        return prepare(frame, poses, corners)
+
+    session._session._prepare = slowly
+    waiting = [wait_in_a_thread(lambda: session.send(FRAMES[1], []))]
+    held.wait_for(1)
+    waiting += [wait_in_a_thread(lambda: list(session.stream(camera()))),
+                wait_in_a_thread(lambda: session.send(FRAMES[2], []))]
+    assert entered.acquire(timeout=5) and entered.acquire(timeout=5)
+    session.close()
+    try:
+        for thread, outcome in waiting:
+            thread.join(5)
+            assert [type(o) for o in outcome] == [amalgam.SessionClosed]
+    finally:
+        leave.set()
+    session.close()
+
+
+def test_a_frame_of_a_stream_times_out_after_its_time():
+    held = Held()
+    with connect(held, frame_timeout=1.0) as session:
+        started = time.monotonic()
+        with pytest.raises(amalgam.FrameTimeout, match="within 1 s"):
+            list(session.stream([(FRAMES[0], [])]))
+        assert 1.0 <= time.monotonic() - started < 1.9
+
+
+def test_a_name_that_cannot_be_encoded():
+    with pytest.raises(amalgam.ConnectFailed):
+        amalgam.connect("a..b:1", camera=support.CAMERA)
+
+
 # --- asyncio ---
 
 
@@ -195,7 +259,7 @@ def test_async_sessions_end_the_same(tmp_path):
                     await session.send(FRAMES[0], [])
             assert session.draining or server.process.wait(25) == 0
 
-    # Two: the refused one's connection may not be gone when the next one comes.
+    # One: while a session is there, the next one is refused.
     with support.serving("--token-file", tmp_path / "tokens", "--max-connections", "1") as server:
         asyncio.run(work(server))
 

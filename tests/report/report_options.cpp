@@ -81,9 +81,9 @@ std::optional<ReportOptions> parse_report_options(int argc, char** argv) {
       "only this part: sweeps, jitter, determinism, table-6.1 or truth; may be repeated");
   app.add_option("--size", size, "size of the pictures, pixels [320x240; quick: 80x60]");
   app.add_option("--runs", runs, "runs of each setting, 1 to 1000 [20; quick: 4]")
-      ->check(CLI::Range(1, 1000));
+      ->check(common::in_range(1, 1000));
   app.add_option("--threads", options.threads, "rendering threads, 1 to 64 [one for each core]")
-      ->check(CLI::Range(1, 64));
+      ->check(common::in_range(1, 64));
   if (!common::parse_command_line(app, argc, argv)) return std::nullopt;
   options.size = size.empty() ? (options.quick ? kQuickSize : kFullSize) : parse_size(size);
   options.plan = options.quick ? kQuickPlan : kFullPlan;

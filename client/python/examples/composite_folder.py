@@ -68,6 +68,15 @@ def composite_all(session, files, size, output):
     return composited
 
 
+def check_names(files):
+    """Pictures that differ in their suffix only would overwrite each other's composites."""
+    by_stem = {}
+    for file in files:
+        other = by_stem.setdefault(file.stem, file)
+        if other != file:
+            raise ValueError(f"{other.name} and {file.name} would both become {file.stem}.jpg")
+
+
 def first_size(files):
     for file in files:
         picture = cv2.imread(str(file), cv2.IMREAD_COLOR | cv2.IMREAD_IGNORE_ORIENTATION)
@@ -80,6 +89,7 @@ def main():
     options = arguments()
     try:
         files = sorted(f for f in options.pictures.iterdir() if f.suffix.lower() in SUFFIXES)
+        check_names(files)
         size = first_size(files)
         calibration = options.calibration
         camera = amalgam.Camera.from_file(calibration, size) if calibration else amalgam.Camera.from_fov(*size)
@@ -88,11 +98,11 @@ def main():
         with amalgam.connect(options.server, camera=camera, token=token, tls=options.ca is not None,
                              ca=options.ca) as session:
             composited = composite_all(session, files, size, options.output)
-            latency = f"{session.counts.unchanged} of them without any object"
+            unchanged = f"{session.counts.unchanged} of them without any object"
     except (amalgam.AmalgamError, OSError, ValueError) as error:
         note(f"composite_folder: {error}")
         return 2
-    print(f"{composited} of {len(files)} pictures composited, {latency}")
+    print(f"{composited} of {len(files)} pictures composited, {unchanged}")
     return 0 if composited == len(files) else 1 if composited else 2
 
 

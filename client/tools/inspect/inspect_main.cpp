@@ -9,6 +9,7 @@
 #include "client/tools/inspect/inspect_report.h"
 #include "client/tools/marker/scene_markers.h"
 #include "common/build_info.h"
+#include "common/parse_command_line.h"
 #include "common/run_program.h"
 #include "scene/gltf/loader.h"
 #include "sheet/sheet_file.h"
@@ -55,11 +56,11 @@ void inspect(const Options& options) {
   if (!options.environment.empty()) load_options.environment = options.environment;
   tools::Inspection inspection;
   inspection.scene = scene::load_scene(options.scene, load_options);
+  if (!options.marker_sheet.empty()) return write_markers(options, inspection.scene);
   if (const auto& environment = inspection.scene.environment) {
     inspection.environment_lights = scene::extract_lights(*environment, light_options);
     inspection.light_errors = light_errors(*environment, to_string(light_options));
   }
-  if (!options.marker_sheet.empty()) return write_markers(options, inspection.scene);
   (options.json ? tools::print_json : tools::print_text)(std::cout, inspection);
 }
 
@@ -86,7 +87,7 @@ int main(int argc, char** argv) {
   app.add_flag("--json", options.json, "print one JSON object");
   app.set_version_flag("--version", common::version_line("amalgam-inspect"));
   return common::run_program("amalgam-inspect", [&] {
-    CLI11_PARSE(app, argc, argv);
+    if (!common::parse_command_line(app, argc, argv)) return 0;
     inspect(options);
     return 0;
   });

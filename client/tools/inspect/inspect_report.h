@@ -27,8 +27,8 @@ struct Inspection {
 
 void print_text(std::ostream& out, const Inspection& inspection);
 
-// One object: world, nodes, materials, environment, lights, light_errors (relative), notes,
-// left_out.
+// One object: world, nodes, materials, triangles, environment, lights, light_errors (relative),
+// warnings, notes, left_out.
 void print_json(std::ostream& out, const Inspection& inspection);
 
 const char* name_of(scene::Role role);

@@ -50,18 +50,18 @@ std::optional<LoadOptions> parse_load_options(int argc, const char* const* argv)
   app.add_option("--clients", options.clients, "clients at once")
       ->capture_default_str()
       ->type_name("N")
-      ->check(CLI::Range(1, 10000));
+      ->check(common::in_range(1, 10000));
   app.add_option("--rate", options.rate, "frames a second of each client")
       ->capture_default_str()
       ->type_name("HZ")
-      ->check(CLI::Range(0.01, 10000.0));
+      ->check(common::in_range(0.01, 10000.0));
   auto* const frames = app.add_option("--frames", options.frames, "frames of each client")
                            ->type_name("N")
-                           ->check(CLI::Range(1, 1000000000));
+                           ->check(common::in_range(1, 1000000000));
   app.add_option("--duration", duration, "how long frames are sent")
       ->capture_default_str()
       ->type_name("SECONDS")
-      ->check(CLI::Range(0.01, 1e6))
+      ->check(common::in_range(0.01, 1e6))
       ->excludes(frames);
   auto* const arrivals =
       app.add_option(
@@ -71,12 +71,12 @@ std::optional<LoadOptions> parse_load_options(int argc, const char* const* argv)
              "clients are there from the start")
           ->capture_default_str()
           ->type_name("HZ")
-          ->check(CLI::Range(0.0, 10000.0))
+          ->check(common::in_range(0.0, 10000.0))
           ->excludes(frames);
   app.add_option("--stay", stay, "how long a client that arrives sends frames; 0: to the end")
       ->capture_default_str()
       ->type_name("SECONDS")
-      ->check(CLI::Range(0.0, 1e6))
+      ->check(common::in_range(0.0, 1e6))
       ->needs(arrivals);
   auto* const image =
       app.add_option("--image", options.image, "what every frame shows; default mid grey")
@@ -99,7 +99,7 @@ std::optional<LoadOptions> parse_load_options(int argc, const char* const* argv)
   app.add_option("--first-source", options.first_source, "last number of the first of --sources")
       ->capture_default_str()
       ->type_name("N")
-      ->check(CLI::Range(1, 500));
+      ->check(common::in_range(1, 500));
   app.add_option("--token-file", token_file, "file with the server's secret")->type_name("FILE");
   auto* const tls_flag =
       app.add_flag("--tls", tls, "encrypt, and ask the server for a certificate of its name");
@@ -112,7 +112,7 @@ std::optional<LoadOptions> parse_load_options(int argc, const char* const* argv)
                  "because servers limit the clients of one address; 0: one, the system's choice")
       ->capture_default_str()
       ->type_name("N")
-      ->check(CLI::Range(0, 65000));
+      ->check(common::in_range(0, 65000));
   app.add_flag("--moving", options.moving,
                "the marker moves; otherwise frames are like the last one, as on a tripod, and cost "
                "a tenth");

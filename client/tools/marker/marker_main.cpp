@@ -1,11 +1,13 @@
 // amalgam-marker: a page of markers to print.
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <iostream>
 #include <string>
 
 #include "client/tools/marker/scene_markers.h"
 #include "client/tracking/board_description.h"
 #include "common/build_info.h"
+#include "common/parse_command_line.h"
 #include "common/run_program.h"
 #include "scene/gltf/loader.h"
 #include "sheet/sheet_file.h"
@@ -24,7 +26,7 @@ struct Options {
 void run(Options& options) {
   if (!options.scene.empty()) {
     options.sheet = tools::markers_of(scene::load_scene(options.scene));
-    options.sheet.title = options.scene;
+    options.sheet.title = std::filesystem::path(options.scene).filename().string();
   }
   if (options.letter) sheet::set_paper(options.sheet, "letter");
   if (!options.charuco.empty()) {
@@ -67,12 +69,8 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.set_version_flag("--version", common::version_line("amalgam-marker"));
   return common::run_program("amalgam-marker", [&] {
-    try {
-      app.parse(argc, argv);
-      run(options);
-      return 0;
-    } catch (const CLI::ParseError& error) {
-      return app.exit(error);
-    }
+    if (!common::parse_command_line(app, argc, argv)) return 0;
+    run(options);
+    return 0;
   });
 }

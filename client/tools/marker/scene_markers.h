@@ -6,7 +6,8 @@
 
 namespace amalgam::tools {
 
-// All markers that something in the scene stands on, the world marker first.
+// All markers that something in the scene stands on, the world marker first. Throws
+// std::runtime_error if the scene's dictionary is none of OpenCV's.
 sheet::SheetOptions markers_of(const scene::Scene& scene);
 
 }  // namespace amalgam::tools

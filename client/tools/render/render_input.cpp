@@ -1,28 +1,34 @@
 #include "client/tools/render/render_input.h"
 
 #include <algorithm>
-#include <fstream>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <span>
 #include <stdexcept>
 
 #include "client/tracking/calibration.h"
 #include "client/tracking/marker_tracker.h"
 #include "client/tracking/poses_file.h"
 #include "codec/jpeg.h"
+#include "common/whole_file.h"
 #include "frame/default_view.h"
 #include "scene/marker_ids.h"
+#include "tracking/marker_dictionary.h"
 
 namespace amalgam::tools {
 namespace {
 
-frame::Bytes read_file(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary | std::ios::ate);
-  if (!file) throw std::runtime_error(path.string() + ": cannot be read");
-  frame::Bytes bytes(static_cast<std::size_t>(file.tellg()));
-  file.seekg(0);
-  file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  return bytes;
+frame::Bytes read_picture(const std::filesystem::path& path) {
+  const std::string file = common::read_whole_file(path, common::kMostPictureBytes);
+  const auto bytes = std::as_bytes(std::span(file));
+  return {bytes.begin(), bytes.end()};
+}
+
+// An empty picture if the bytes are none.
+cv::Mat decode(frame::Bytes& bytes) {
+  if (bytes.empty()) return {};
+  const cv::Mat view(1, static_cast<int>(bytes.size()), CV_8UC1, bytes.data());
+  return cv::imdecode(view, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
 }
 
 bool is_camera_jpeg(const frame::Bytes& bytes) {
@@ -36,8 +42,8 @@ bool is_camera_jpeg(const frame::Bytes& bytes) {
 
 // Any picture that OpenCV reads. A baseline JPEG keeps its bytes, as a client would send them.
 void load_image(const std::filesystem::path& path, frame::FrameInput& frame, cv::Mat& bgr) {
-  frame::Bytes bytes = read_file(path);
-  bgr = cv::imread(path.string(), cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
+  frame::Bytes bytes = read_picture(path);
+  bgr = decode(bytes);
   if (bgr.empty()) throw std::runtime_error(path.string() + ": not a picture");
   if (is_camera_jpeg(bytes)) {
     frame.image = std::move(bytes);
@@ -52,7 +58,7 @@ void load_image(const std::filesystem::path& path, frame::FrameInput& frame, cv:
 std::vector<common::MarkerPose> detect(const cv::Mat& bgr, const common::CameraModel& camera,
                                        const scene::Scene& scene) {
   client::TrackerOptions options;
-  options.dictionary = scene.world.dictionary;
+  options.dictionary = tracking::predefined_dictionary(scene.world.dictionary);
   options.marker_length = scene.world.marker_length;
   return client::MarkerTracker(options, camera).track(bgr);
 }

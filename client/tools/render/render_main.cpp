@@ -1,6 +1,5 @@
 // amalgam-render: one frame without a network, by the same renderer as the server's.
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <opencv2/imgcodecs.hpp>
@@ -10,7 +9,9 @@
 #include "client/tools/render/render_input.h"
 #include "client/tools/render/render_report.h"
 #include "common/build_info.h"
+#include "common/image_size.h"
 #include "common/log.h"
+#include "common/parse_command_line.h"
 #include "common/run_program.h"
 #include "common/whole_file.h"
 #include "frame/frame_renderer.h"
@@ -27,21 +28,10 @@ struct Options {
   std::string scene = tools::default_scene_path();
   tools::RenderInputOptions input;
   frame::RendererSettings renderer;
-  std::string output, dump, graph, size;
+  std::string output, dump, graph;
   int repeat = 1;
   bool still = false, json = false, explain = false;
 };
-
-void parse_size(const std::string& text, Options& options) {
-  int consumed = 0;
-  if (std::sscanf(text.c_str(), "%dx%d%n", &options.input.width, &options.input.height,
-                  &consumed) != 2 ||
-      consumed != static_cast<int>(text.size()) || options.input.width < 1 ||
-      options.input.height < 1 || options.input.width > 8192 || options.input.height > 8192) {
-    throw CLI::ValidationError("--size",
-                               "'" + text + "' is not WIDTHxHEIGHT in pixels, up to 8192x8192");
-  }
-}
 
 void add_options(CLI::App& app, Options& options) {
   app.add_option("--scene", options.scene, "glTF scene (.gltf, .glb)")->capture_default_str();
@@ -56,7 +46,15 @@ void add_options(CLI::App& app, Options& options) {
       "z]}, ...]}; camera_from_marker, metres, camera with x right, y down and z forward as in "
       "PROTOCOL.md, a unit quaternion; as --json prints them; without it markers are looked for in "
       "the image");
-  app.add_option("--size", options.size, "WxH in pixels, without --camera-image: mid grey")
+  app.add_option_function<std::string>(
+         "--size",
+         [&options](const std::string& text) {
+           constexpr int kMaxSide = 8192;  // of common::describe_defect()
+           const glm::ivec2 size = common::parse_image_size(text, kMaxSide);
+           options.input.width = size.x;
+           options.input.height = size.y;
+         },
+         "WxH in pixels, without --camera-image: mid grey")
       ->default_str("640x480");
   app.add_option("--output", options.output, "picture to write the composite to: .png, or .jpg");
   tools::add_renderer_options(app, options.renderer);
@@ -68,7 +66,7 @@ void add_options(CLI::App& app, Options& options) {
       "of the middle (the files' comments say which)");
   app.add_option("--graph", options.graph, "file to write the frame graph to, for Graphviz");
   app.add_option("--repeat", options.repeat, "render the frame so many times, for timing")
-      ->check(CLI::Range(1, 100000))
+      ->check(common::in_range(1, 100000))
       ->capture_default_str();
   app.add_flag("--still", options.still,
                "with --repeat: time what a camera on a tripod costs, of which nothing moves; "
@@ -77,15 +75,19 @@ void add_options(CLI::App& app, Options& options) {
   app.add_flag("--explain", options.explain, "print each pass, or why it was left out");
 }
 
-void write_picture(const std::string& path, common::ImageRgb8 image) {
-  cv::Mat rgb(image.height(), image.width(), CV_8UC3, image.data());
-  cv::cvtColor(rgb, rgb, cv::COLOR_RGB2BGR);
-  std::vector<unsigned char> encoded;
+// Before anything is rendered for it.
+void check_picture(const std::string& path) {
   const std::string extension = std::filesystem::path(path).extension().string();
   if (extension != ".png" && extension != ".jpg" && extension != ".jpeg") {
     throw std::runtime_error(path + ": pictures are written as .png or .jpg");
   }
-  cv::imencode(extension, rgb, encoded);
+}
+
+void write_picture(const std::string& path, common::ImageRgb8 image) {
+  cv::Mat rgb(image.height(), image.width(), CV_8UC3, image.data());
+  cv::cvtColor(rgb, rgb, cv::COLOR_RGB2BGR);
+  std::vector<unsigned char> encoded;
+  cv::imencode(std::filesystem::path(path).extension().string(), rgb, encoded);
   common::write_whole_file(path, {reinterpret_cast<const char*>(encoded.data()), encoded.size()});
 }
 
@@ -143,14 +145,10 @@ int main(int argc, char** argv) {
     return common::version_line("amalgam-render") + "; " + frame::ray_tracer_version();
   });
   return common::run_program("amalgam-render", [&] {
-    try {
-      app.parse(argc, argv);
-      if (!options.size.empty()) parse_size(options.size, options);
-      frame::limit_llvmpipe_threads(options.renderer);
-      run(options);
-      return 0;
-    } catch (const CLI::ParseError& error) {
-      return app.exit(error);
-    }
+    if (!common::parse_command_line(app, argc, argv)) return 0;
+    if (!options.output.empty()) check_picture(options.output);
+    frame::limit_llvmpipe_threads(options.renderer);
+    run(options);
+    return 0;
   });
 }

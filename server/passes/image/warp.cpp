@@ -121,8 +121,8 @@ common::CameraModel scaled_camera(const common::CameraModel& ideal, double scale
   scaled.fx *= scale;
   scaled.fy *= scale;
   // Pixel centres are integers, so that the picture begins at -0.5.
-  scaled.cx = (ideal.cx + 0.5) * scale - 0.5 + kScaledBorder;
-  scaled.cy = (ideal.cy + 0.5) * scale - 0.5 + kScaledBorder;
+  scaled.cx = common::scaled_position(ideal.cx, scale) + kScaledBorder;
+  scaled.cy = common::scaled_position(ideal.cy, scale) + kScaledBorder;
   return scaled;
 }
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
+#include <tuple>
 
 #include "codec/jpeg.h"
 #include "codec/picture.h"
@@ -207,17 +208,32 @@ TEST_F(Programs, TheReportSaysThePosesUsed) {
 }
 
 TEST_F(Programs, BadOptionsGiveOneLineAndAFailure) {
-  for (const auto& [program, arguments] :
-       std::vector<std::pair<std::string, std::vector<std::string>>>{
-           {"amalgam-server", {"--scene", "/nowhere.gltf"}},
-           {"amalgam-server", {"--listen", "nonsense"}},
-           {"amalgam-render", {"--samples", "7"}},
-           {"amalgam-render", {"--camera-image", "/nowhere.jpg"}},
+  for (const auto& [program, arguments, says] :
+       std::vector<std::tuple<std::string, std::vector<std::string>, std::string>>{
+           {"amalgam-server", {"--scene", "/nowhere.gltf"}, "nowhere"},
+           {"amalgam-server", {"--listen", "nonsense"}, "nonsense"},
+           {"amalgam-server", {"--max-load", "nan"}, "--max-load"},
+           {"amalgam-render", {"--samples", "7"}, "--samples"},
+           {"amalgam-render", {"--camera-image", "/nowhere.jpg"}, "nowhere"},
+           {"amalgam-render", {"--camera-image", "/tmp"}, "/tmp: is a folder"},
+           {"amalgam-render", {"--target-fps", "nan"}, "--target-fps"},
+           {"amalgam-render", {"--size", "9000x2"}, "9000x2"},
+           // Before anything is loaded and rendered for it.
+           {"amalgam-render", {"--scene", "/nowhere.gltf", "--output", "a.gif"}, ".png or .jpg"},
+           {"amalgam-render", {"--bogus"}, "--bogus"},
+           {"amalgam-inspect", {"--bogus", "scene.gltf"}, "--bogus"},
+           {"amalgam-marker", {"--bogus"}, "--bogus"},
+           {"amalgam-load", {"--bogus"}, "--bogus"},
+           {"amalgam-client", {"--synthetic", "--bogus"}, "--bogus"},
            {"amalgam-client",
-            {"--server", "127.0.0.1:1", "--synthetic", "--connect-timeout", "0.5"}}}) {
-    ChildProcess process(program, arguments);
-    process.read_all(kPatience);
-    EXPECT_GT(process.wait(kPatience), 0) << program << " " << arguments.front();
+            {"--server", "127.0.0.1:1", "--synthetic", "--connect-timeout", "0.5"},
+            "127.0.0.1:1"}}) {
+    ChildProcess process(program, arguments, ChildProcess::Reads::OutputAndErrors);
+    const std::string text = process.read_all(kPatience);
+    EXPECT_EQ(process.wait(kPatience), 1) << program << " " << arguments.front();
+    EXPECT_EQ(text.find(program + ": "), 0u) << text;
+    EXPECT_EQ(text.find('\n'), text.size() - 1) << text;
+    EXPECT_NE(text.find(says), std::string::npos) << text;
   }
 }
 

@@ -9,7 +9,6 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "client/link/messages.h"
-#include "client/options.h"
 #include "client/sources/images_source.h"
 #include "client/sources/jpeg_bytes.h"
 #include "client/sources/synthetic_source.h"
@@ -255,6 +254,70 @@ TEST(Viewer, LooksForTheMarkersOfTheWelcomeAndOfANewOne) {
   EXPECT_EQ(poses.back(), 1);
 }
 
+// What was counted before another scene came is not forgotten.
+TEST(Viewer, TheSummaryIsOfAllScenes) {
+  SyntheticSource source(common::default_camera(320, 240), false, 90);
+  const auto take = [](FakePeer& peer, int frames) {
+    for (int i = 0; i < frames; ++i) {
+      const auto message = peer.receive();
+      if (message && message->has_camera_frame()) peer.answer(message->camera_frame());
+    }
+  };
+  FakeServer server({[&](FakePeer& peer) {
+                       peer.welcome({40});
+                       take(peer, 3);
+                     },
+                     [&](FakePeer& peer) {
+                       peer.welcome({40, 23});
+                       take(peer, 3);
+                       peer.receive();
+                     }});
+  const std::atomic<bool> stop = false;
+  const auto camera = common::default_camera(320, 240);
+  Connection connection(server.options(3000ms), hello_message(camera, "", 0));
+  // A band as wide as this holds all poses but each tracker's first one.
+  const ViewerSummary summary = Viewer({.frames = 6, .rate = 5.0, .dead_band = 1e6}, camera, source,
+                                       nullptr, connection, stop)
+                                    .run();
+  EXPECT_EQ(summary.reconnects, 1u);
+  EXPECT_EQ(summary.markers.images, 6u);
+  EXPECT_EQ(summary.markers.poses, 6u);
+  EXPECT_EQ(summary.poses_held, 4u);
+}
+
+TEST(Viewer, AServerMustNotNameAFile) {
+  SyntheticSource source(common::default_camera(64, 48), true, 90);
+  FakeServer server({[](FakePeer& peer) {
+    peer.receive();
+    protocol::Envelope envelope;
+    protocol::Markers& markers = *envelope.mutable_welcome()->mutable_markers();
+    markers.set_dictionary("/home/user/secret.yml");
+    markers.set_length(0.05);
+    peer.send(envelope);
+    peer.receive();
+  }});
+  const std::atomic<bool> stop = false;
+  const auto camera = common::default_camera(64, 48);
+  Connection connection(server.options(3000ms), hello_message(camera, "", 0));
+  try {
+    Viewer({.frames = 1}, camera, source, nullptr, connection, stop).run();
+    ADD_FAILURE();
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("unknown marker dictionary"));
+  }
+}
+
+TEST(FolderSink, SaysWhyAFolderCannotBeMade) {
+  const auto folder = fresh_folder() / std::string(300, 'x');
+  try {
+    make_folder_sink(folder);
+    ADD_FAILURE();
+  } catch (const std::runtime_error& error) {
+    EXPECT_EQ(error.what(),
+              "--output: " + folder.string() + " cannot be made (File name too long)");
+  }
+}
+
 TEST(FramesInFlight, CountsByWhatTheAnswerSays) {
   FramesInFlight ledger;
   const FramesInFlight::Clock::time_point start{};
@@ -291,29 +354,6 @@ TEST(FramesInFlight, PercentilesAreOfTheNearestRank) {
   EXPECT_FLOAT_EQ(static_cast<float>(ledger.latency().median), 50.0f);
   EXPECT_FLOAT_EQ(static_cast<float>(ledger.latency().p95), 95.0f);
   EXPECT_FLOAT_EQ(static_cast<float>(ledger.latency().p99), 99.0f);
-}
-
-TEST(Options, ReadsAddressesAndSizes) {
-  EXPECT_EQ(parse_server("[::1]:80"), (common::HostPort{"::1", 80}));
-  EXPECT_EQ(parse_server("desk.example:7447"), (common::HostPort{"desk.example", 7447}));
-  for (const char* bad :
-       {"", ":80", "host", "host:", "host:0", "host:65536", "host:8x", "::1:80"}) {
-    EXPECT_THROW(parse_server(bad), std::runtime_error) << bad;
-  }
-  EXPECT_EQ(parse_size("800x600"), cv::Size(800, 600));
-  for (const char* bad : {"", "800", "800x", "x600", "0x1", "-1x5", "800x600x", "99999x2"}) {
-    EXPECT_THROW(parse_size(bad), std::runtime_error) << bad;
-  }
-}
-
-TEST(Options, ReadsSmoothing) {
-  EXPECT_EQ(parse_smoothing("1.5").min_cutoff, 1.5);
-  EXPECT_EQ(parse_smoothing("1.5").beta, 0.0);
-  EXPECT_EQ(parse_smoothing("1:20").beta, 20.0);
-  for (const char* bad :
-       {"", "0", "-1", "x", "1:", "1:x", "1:-1", "1:2:3", "nan", "inf", "1:nan"}) {
-    EXPECT_THROW(parse_smoothing(bad), std::runtime_error) << bad;
-  }
 }
 
 TEST(Summary, IsOneLineOfJsonWhateverTheServerSays) {

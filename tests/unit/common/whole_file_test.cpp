@@ -1,11 +1,14 @@
 #include "common/whole_file.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <stdexcept>
+#include <thread>
 
 namespace amalgam::common {
 namespace {
@@ -30,6 +33,15 @@ class WholeFile : public testing::Test {
       fs::path(testing::TempDir()) / ("amalgam_whole_file_" + std::to_string(getpid()));
   const fs::path file_ = folder_ / "picture.png";
 };
+
+std::string error_of(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "none";
+}
 
 TEST_F(WholeFile, IsWritten) {
   write_whole_file(file_, "first");
@@ -65,6 +77,46 @@ TEST_F(WholeFile, DevicesAreWrittenDirectly) {
   write_whole_file("/dev/null", "bytes");
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
   EXPECT_THROW(write_whole_file("/dev/full", std::string(100000, 'x')), std::runtime_error);
+}
+
+TEST_F(WholeFile, IsReadToItsEndIfItIsNotTooLarge) {
+  const std::string bytes = std::string(300'000, 'a') + '\0' + std::string(300'000, 'b');
+  write_whole_file(file_, bytes);
+  EXPECT_EQ(read_whole_file(file_, bytes.size()), bytes);
+  EXPECT_EQ(read_whole_file(file_, 1 << 30), bytes);
+  EXPECT_EQ(error_of([&] { read_whole_file(file_, bytes.size() - 1); }),
+            file_.string() + ": has more than 600000 bytes");
+  write_whole_file(file_, "");
+  EXPECT_EQ(read_whole_file(file_, 0), "");
+}
+
+// Neither has a size that it says.
+TEST_F(WholeFile, PipesAndFilesOfTheKernelAreRead) {
+  ASSERT_EQ(::mkfifo(file_.c_str(), 0600), 0);
+  std::thread writer([&] { std::ofstream(file_) << std::string(500'000, 'x'); });
+  EXPECT_EQ(read_whole_file(file_, 1 << 20).size(), 500'000u);
+  writer.join();
+  EXPECT_NE(read_whole_file("/proc/self/status", 1 << 20).find("Pid:"), std::string::npos);
+}
+
+TEST_F(WholeFile, WhatCannotBeReadIsSaid) {
+  const auto error = [](const fs::path& path) {
+    return error_of([&] { read_whole_file(path, 100); });
+  };
+  EXPECT_EQ(error(folder_), folder_.string() + ": is a folder");
+  EXPECT_EQ(error(folder_ / "missing"), (folder_ / "missing").string() + ": cannot be read");
+  EXPECT_EQ(error("/proc/self/mem"), "/proc/self/mem: cannot be read");
+}
+
+TEST_F(WholeFile, WhatCannotBeWrittenIsSaidBefore) {
+  check_writable(file_);
+  check_writable("picture.png");  // of the current folder
+  check_writable("/dev/null");
+  EXPECT_EQ(files(), 0u);
+  EXPECT_EQ(error_of([&] { check_writable(folder_); }), folder_.string() + ": is a folder");
+  const fs::path lost = folder_ / "missing" / "a.png";
+  EXPECT_EQ(error_of([&] { check_writable(lost); }),
+            lost.string() + ": cannot be written (No such file or directory)");
 }
 
 TEST_F(WholeFile, LinksStayLinks) {

@@ -6,6 +6,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -130,16 +131,66 @@ SheetText text_with(const SheetPage& page, const std::string& words) {
   return {};
 }
 
+SheetText caption_of(const SheetPage& page, int id) {
+  const auto found = std::ranges::find(page.texts, std::to_string(id), &SheetText::text);
+  if (found != page.texts.end()) return *found;
+  ADD_FAILURE() << id;
+  return {};
+}
+
 TEST(MarkerSheet, CaptionsLieBelowTheWhiteMargin) {
   const MarkerSheet sheet = lay_out_markers({.ids = {40}, .length = 0.05, .title = "a scene"});
   const SheetPage& page = sheet.pages.at(0);
-  const SheetText caption = text_with(page, "DICT_6X6_250, marker 40");
   const SheetMarker& marker = page.markers.front();
+  const SheetText caption = caption_of(page, marker.id);
   EXPECT_DOUBLE_EQ(marker.margin, 2 * 50.0 / 8);
   EXPECT_GE(caption.y - sheet.font_size, marker.outline.y + 50.0 + marker.margin - 1e-9);
-  EXPECT_LE(text_with(page, "a scene").y, marker.outline.y - marker.margin);
-  const SheetText size = text_with(page, "black square: 50 mm wide");
-  EXPECT_GE(size.y, caption.y + sheet.font_size);
+  const double title = text_with(page, "a scene").y;
+  const double measure = text_with(page, "DICT_6X6_250: black squares are 50 mm wide").y;
+  EXPECT_LE(title, measure - sheet.font_size);
+  EXPECT_LE(measure, marker.outline.y - marker.margin);
+}
+
+// Letters of a sans-serif font are narrower than this on average.
+double widest(const SheetText& text, double font_size) {
+  return 0.65 * font_size * static_cast<double>(text.text.size());
+}
+
+TEST(MarkerSheet, CaptionsStayInTheirColumnAndTextsOnThePage) {
+  for (const double length : {0.01, 0.02, 0.05}) {
+    const MarkerSheet sheet = lay_out_markers({.ids = {40, 7, 249, 100}, .length = length});
+    ASSERT_EQ(sheet.pages.size(), 1u);
+    for (const SheetMarker& marker : sheet.pages[0].markers) {
+      const SheetText caption = caption_of(sheet.pages[0], marker.id);
+      EXPECT_EQ(caption.x, marker.outline.x);
+      EXPECT_LE(widest(caption, sheet.font_size), marker.outline.side + marker.margin) << length;
+    }
+    for (const SheetText& text : sheet.pages[0].texts) {
+      EXPECT_LE(text.x + widest(text, sheet.font_size), sheet.width) << text.text;
+    }
+  }
+}
+
+TEST(MarkerSheet, EachPageSaysWhatToMeasure) {
+  const MarkerSheet sheet = lay_out_markers({.ids = {1, 2}, .length = 0.12});
+  ASSERT_EQ(sheet.pages.size(), 2u);
+  for (const SheetPage& page : sheet.pages) {
+    text_with(page, "DICT_6X6_250: black squares are 120 mm wide");
+  }
+}
+
+// A scene's file may be named in Latin-1. Cairo draws nothing more after such a text.
+TEST(MarkerSheet, TextsThatAreNoUtf8DoNotEmptyThePage) {
+  const std::string file = testing::TempDir() + "latin1_" + std::to_string(getpid()) + ".svg";
+  MarkerSheet sheet = lay_out_markers({.ids = {40}, .length = 0.05, .title = "caf\xe9.gltf"});
+  for (const SheetText& text : sheet.pages[0].texts) {
+    EXPECT_EQ(text.text.find("caf"), std::string::npos);
+  }
+  write_sheet(file, sheet);
+  EXPECT_TRUE(std::filesystem::remove(file));
+  sheet.pages[0].texts.push_back({10.0, 10.0, "caf\xe9"});
+  EXPECT_THROW(write_sheet(file, sheet), std::runtime_error);
+  EXPECT_FALSE(std::filesystem::exists(file));
 }
 
 TEST(MarkerSheet, WhatDoesNotFitOnOnePageComesOnTheNext) {

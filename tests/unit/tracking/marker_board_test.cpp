@@ -146,6 +146,14 @@ TEST(BoardText, RefusesWhatIsNoBoard) {
                           "999x7:0.04:0.01", "5:0.04:0.01", "5x7:0.04:0.01:-3"}) {
     EXPECT_THROW(parse_grid_board(bad), std::runtime_error) << bad;
   }
+  // The ids that follow the first one must be numbers too.
+  try {
+    parse_grid_board("5x7:0.04:0.01:2147483647");
+    ADD_FAILURE();
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("is not COLUMNSxROWS"), std::string::npos);
+  }
+  EXPECT_EQ(parse_grid_board("1x2:0.04:0:1000000").markers.back().id, 1'000'001);
   EXPECT_THROW(parse_charuco_board("5x7:0.02:0.04"), std::runtime_error);
   EXPECT_EQ(parse_grid_board("1x2:0.04:0").markers.size(), 2u);
 }

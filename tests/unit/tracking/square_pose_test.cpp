@@ -200,6 +200,18 @@ TEST(PoseDisambiguation, SwitchesOnClearEvidenceInSeveralFrames) {
   EXPECT_NEAR(degrees_of(memory.choose(clear, 6)), 60, 1e-9);
 }
 
+TEST(PoseDisambiguation, AFrameWithOneSolutionIsNoEvidence) {
+  PoseDisambiguation memory;
+  memory.choose(std::vector{solution(30, 0.1), solution(60, 1.0)}, 1);
+  const std::vector<PoseSolution> clear{solution(60, 0.1), solution(30, 0.3)};
+  EXPECT_NEAR(degrees_of(memory.choose(clear, 2)), 30, 1e-9);
+  EXPECT_NEAR(degrees_of(memory.choose(clear, 3)), 30, 1e-9);
+  EXPECT_NEAR(degrees_of(memory.choose(std::vector{solution(30, 0.1)}, 4)), 30, 1e-9);
+  EXPECT_NEAR(degrees_of(memory.choose(clear, 5)), 30, 1e-9);
+  EXPECT_NEAR(degrees_of(memory.choose(clear, 6)), 30, 1e-9);
+  EXPECT_NEAR(degrees_of(memory.choose(clear, 7)), 60, 1e-9);
+}
+
 TEST(PoseDisambiguation, SwitchesAtOnceOnOverwhelmingEvidence) {
   PoseDisambiguation memory;
   memory.choose(std::vector{solution(30, 0.1), solution(60, 1.0)}, 1);

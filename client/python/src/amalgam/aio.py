@@ -84,7 +84,7 @@ class AsyncSession:
                 asyncio.open_connection(host, port, ssl=self._tls, limit=_READ_BYTES), self._connect_timeout)
         except asyncio.TimeoutError:
             raise errors.ConnectFailed(f"{where}: no connection in time") from None
-        except OSError as error:
+        except (OSError, UnicodeError) as error:  # UnicodeError: a name with an empty label, as "a..b"
             raise errors.ConnectFailed(f"{where}: {error}") from error
         self._welcomed: "asyncio.Future[Welcome]" = asyncio.get_running_loop().create_future()
         self._flush()
@@ -170,9 +170,12 @@ class AsyncSession:
         self._flush()
         return frame_id, answer
 
-    async def finish(self, frame_id: int, answer: "asyncio.Future[Composite]", timeout: float) -> Composite:
+    async def finish(self, frame_id: int, answer: "asyncio.Future[Composite]", timeout: float,
+                     sent_at: Optional[float] = None) -> Composite:
+        """sent_at: time.monotonic() from which the timeout counts; now, if left out."""
+        left = timeout if sent_at is None else max(0.0, sent_at + timeout - time.monotonic())
         try:
-            return await asyncio.wait_for(answer, timeout)
+            return await asyncio.wait_for(answer, left)
         except asyncio.TimeoutError:
             raise errors.FrameTimeout(f"frame {frame_id} was not answered within {timeout:g} s") from None
         finally:

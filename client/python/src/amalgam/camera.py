@@ -137,10 +137,16 @@ def _read_flat(root: Any) -> _Calibration:
         raise LimitError("has no 3x3 camera_matrix")
     if any(matrix[i] != 0 for i in (1, 3, 6, 7)) or matrix[8] != 1:
         raise LimitError("the camera matrix is not of the form [fx 0 cx; 0 fy cy; 0 0 1]")
+    fisheye = root.getNode("fisheye_model")
+    if fisheye.isInt() and fisheye.real() != 0:
+        raise LimitError("the fisheye lens model is not supported")
     model = root.getNode("distortion_model")
     if model.isString() and model.string() not in ("", "plumb_bob", "rational_polynomial"):
         raise LimitError(f"the distortion model {model.string()} is not supported")
-    distortion = _numbers(_first(root, _DISTORTION_NAMES))
+    distortion_node = _first(root, _DISTORTION_NAMES)
+    if distortion_node.empty():
+        raise LimitError("has no distortion_coefficients")
+    distortion = _numbers(distortion_node)
     sides = [_numbers(_first(root, names)) for names in (("image_width", "width"), ("image_height", "height"))]
     size = (int(sides[0][0]), int(sides[1][0])) if sides[0] and sides[1] else None
     return _Calibration(size, (matrix[0], matrix[4]), (matrix[2], matrix[5]), distortion)
@@ -150,7 +156,10 @@ def _read(file: pathlib.Path, size: Optional[Tuple[int, int]]) -> Camera:
     cv2 = opencv()
     text = file.read_text()
     if not text.lstrip().startswith(("%YAML", "{", "<?xml")):
-        text = "%YAML:1.0\n---\n" + text  # ROS and Kalibr leave out the head that OpenCV asks for
+        # ROS and Kalibr leave out the head that OpenCV asks for. What rostopic echo prints ends in a line ---, or has
+        # further messages behind it.
+        begin = text.find("\n") if text.startswith("---") else 0
+        text = "%YAML:1.0\n---\n" + text[begin:].split("\n---")[0] + "\n"
     storage = cv2.FileStorage(text, cv2.FILE_STORAGE_READ | cv2.FILE_STORAGE_MEMORY)
     root = storage.root()
     read = _read_kalibr(root) if root.getNode("cam0").isMap() else _read_flat(root)

@@ -177,7 +177,7 @@ class Conversation:
     def _visit(self, envelope: pb.Envelope, now_us: int, events: List[Event]) -> None:
         body = envelope.WhichOneof("body")
         if body == "ping":
-            # A server that does not read is owed no more than one answer at a time.
+            # The output is taken after each receive(): what came in one is owed no more answers than this.
             if len(self._out) < 32:
                 self._out.append(encode(pb.Envelope(pong=pb.Pong(nonce=envelope.ping.nonce))))
         elif body == "pong":

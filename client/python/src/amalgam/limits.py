@@ -1,4 +1,4 @@
-"""The protocol's limits, as in protocol/limits.h; a test compares the two."""
+"""The protocol's limits, as in protocol/limits.h, but for the last ones; a test compares them."""
 
 PROTOCOL_VERSION = 1
 LENGTH_BYTES = 4
@@ -13,6 +13,7 @@ MAX_SIDE = 2048
 MAX_POSES = 64
 MAX_DISTORTION = 12
 MAX_JPEG_QUALITY = 100
+MAX_SMOOTHING = 1e6
 
 # Seconds.
 IDLE_TIMEOUT = 5.0
@@ -22,4 +23,3 @@ LINGER = 1.0
 MIN_FOCAL_LENGTH, MAX_FOCAL_LENGTH = 1.0, 1e6
 MAX_POSE_COORDINATE = 1e7
 MAX_OFF_UNIT = 1e-3
-MAX_SMOOTHING = 1e6

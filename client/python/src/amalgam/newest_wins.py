@@ -30,6 +30,7 @@ class _Sent:
     index: int
     frame_id: int
     answer: "asyncio.Future[Composite]"
+    at: float  # time.monotonic()
 
 
 class _Slot:
@@ -91,7 +92,7 @@ async def stream(session: AsyncSession, frames: Union[Iterable[StreamFrame], Asy
 
     async def outcome(of: _Sent) -> Optional[Composite]:
         try:
-            composite = await session.finish(of.frame_id, of.answer, session.frame_timeout)
+            composite = await session.finish(of.frame_id, of.answer, session.frame_timeout, of.at)
         except FrameSkipped:
             skipped.append(of.index)
         except FrameRejected as error:
@@ -108,7 +109,8 @@ async def stream(session: AsyncSession, frames: Union[Iterable[StreamFrame], Asy
     async def send(captured: _Captured) -> None:
         frame, poses = captured.frame if isinstance(captured.frame, tuple) else (captured.frame, None)
         try:
-            sent.append(_Sent(captured.index, *await session.begin(frame, poses, None, captured.at)))
+            begun = await session.begin(frame, poses, None, captured.at)
+            sent.append(_Sent(captured.index, *begun, time.monotonic()))
         except FrameRejected as error:  # by our own check
             session.counts.rejected += 1
             if on_rejected is None:
@@ -123,8 +125,8 @@ async def stream(session: AsyncSession, frames: Union[Iterable[StreamFrame], Asy
             waits: List["asyncio.Future[Any]"] = [sent[0].answer] if sent else []
             if taking is not None:
                 waits.append(taking)
-            await asyncio.wait(waits, timeout=session.frame_timeout if sent else None,
-                               return_when=asyncio.FIRST_COMPLETED)
+            left = max(0.0, sent[0].at + session.frame_timeout - time.monotonic()) if sent else None
+            await asyncio.wait(waits, timeout=left, return_when=asyncio.FIRST_COMPLETED)
             if sent and (sent[0].answer.done() or taking is None or not taking.done()):
                 if (composite := await outcome(sent.popleft())) is not None:
                     yield composite

@@ -6,6 +6,7 @@ The thread answers the server's pings while the program does something else.
 from __future__ import annotations
 
 import asyncio
+import concurrent.futures
 import threading
 from types import TracebackType
 from typing import Any, Callable, Coroutine, Iterable, Iterator, List, Optional, Sequence, Type, TypeVar, Union
@@ -26,6 +27,8 @@ class Session:
     def __init__(self, session: AsyncSession) -> None:
         self._session = session
         self._loop = asyncio.new_event_loop()
+        self._lock = threading.Lock()
+        self._ended = False  # nothing is given to the loop any more
         self._thread = threading.Thread(target=self._loop.run_forever, name="amalgam", daemon=True)
         self._thread.start()
         try:
@@ -42,8 +45,8 @@ class Session:
         self.close()
 
     def close(self) -> None:
-        """Says goodbye. A second time it does nothing."""
-        if self._thread.is_alive():
+        """Says goodbye. A second time it does nothing. What other threads wait for raises SessionClosed."""
+        if not self._ended:
             try:
                 self._run(self._session.close())
             finally:
@@ -86,7 +89,7 @@ class Session:
             while (composite := self._run(following())) is not None:
                 yield composite
         finally:
-            if self._thread.is_alive():
+            if not self._ended:
                 self._run(end())
 
     def set_environment(self, image: Union[bytes, Path], *, fisheye: Optional[Fisheye] = None, own: bool = False,
@@ -94,17 +97,35 @@ class Session:
         self._run(self._session.set_environment(image, fisheye=fisheye, own=own, wait=wait))
 
     def _run(self, work: Coroutine[Any, Any, T]) -> T:
-        if not self._thread.is_alive():
-            work.close()
-            self._session._core.check_open()  # raises what ended the session
-        future = asyncio.run_coroutine_threadsafe(work, self._loop)
+        with self._lock:
+            if self._ended:
+                work.close()
+                self._session._core.check_open()  # raises what ended the session
+            future = asyncio.run_coroutine_threadsafe(work, self._loop)
         try:
             return future.result()
+        except concurrent.futures.CancelledError:  # by close(), in another thread
+            self._session._core.check_open()
+            raise
         except BaseException:
             future.cancel()
             raise
 
     def _end_thread(self) -> None:
+        with self._lock:
+            if self._ended:
+                return
+            self._ended = True
+        # A loop that merely stops would leave whoever waits for its tasks waiting for ever.
+        asyncio.run_coroutine_threadsafe(_cancel_all(), self._loop).result()
         self._loop.call_soon_threadsafe(self._loop.stop)
         self._thread.join()
         self._loop.close()
+
+
+async def _cancel_all() -> None:
+    others = asyncio.all_tasks() - {asyncio.current_task()}
+    for task in others:
+        task.cancel()
+    await asyncio.gather(*others, return_exceptions=True)
+    await asyncio.get_running_loop().shutdown_asyncgens()

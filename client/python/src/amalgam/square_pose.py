@@ -28,7 +28,7 @@ _MAX_OFF_PIXEL = 1e-3  # pixels by which an undistorted corner, distorted again,
 @dataclass(frozen=True)
 class Solution:
     pose: Pose
-    error: float  # root mean square distance of the corners, pixels
+    error: float  # root mean square of the errors of the corners' coordinates, pixels without distortion
 
 
 def _quaternion(m: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
@@ -124,9 +124,9 @@ class PoseChoice:
     def choose(self, solutions: Sequence[Solution], image: int) -> Pose:
         """solutions: at least one, the better one first. image counts images, not detections."""
         chosen, last = solutions[0], self.previous(image)
-        if last is None:
-            self._against = 0
-        elif len(solutions) > 1:
+        if last is None or len(solutions) < 2:
+            self._against = 0  # a frame without the choice does not contradict either
+        else:
             first, second = solutions[0], solutions[1]
             nearer = angle_between(last, first.pose) <= angle_between(last, second.pose)
             clear = second.error > _CLEAR_RATIO * first.error

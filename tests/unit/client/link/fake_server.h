@@ -21,13 +21,18 @@ class FakePeer {
 
   // The next message but pongs; nothing if the client has closed.
   std::optional<protocol::Envelope> receive() {
+    while (auto envelope = receive_one()) {
+      if (!envelope->has_pong()) return envelope;
+    }
+    return std::nullopt;
+  }
+
+  // The next message.
+  std::optional<protocol::Envelope> receive_one() {
     while (true) {
       protocol::Decoder::Result result = decoder_.next(input_);
       if (auto* envelope = std::get_if<protocol::Envelope>(&result)) {
-        if (envelope->has_pong()) {
-          ++pongs;
-          continue;
-        }
+        pongs += envelope->has_pong() ? 1 : 0;
         return std::move(*envelope);
       }
       if (std::holds_alternative<protocol::Decoder::Failure>(result)) return std::nullopt;
@@ -38,10 +43,22 @@ class FakePeer {
     }
   }
 
-  void send(const protocol::Envelope& envelope) {
-    boost::system::error_code ignored;
-    const std::string bytes = protocol::encode(envelope);
-    boost::asio::write(socket_, boost::asio::buffer(bytes), ignored);
+  void send(const protocol::Envelope& envelope) { send_bytes(protocol::encode(envelope)); }
+
+  // False if the client has closed.
+  bool send_bytes(const std::string& bytes) {
+    boost::system::error_code ec;
+    boost::asio::write(socket_, boost::asio::buffer(bytes), ec);
+    return !ec;
+  }
+
+  // Waits until the client has handled all that was sent; for scripts that have sent no ping yet.
+  void wait_for_pong() {
+    protocol::Envelope ping;
+    ping.mutable_ping()->set_nonce(1);
+    send(ping);
+    while (pongs == 0 && receive_one()) {
+    }
   }
 
   // Takes the hello and welcomes.

@@ -117,6 +117,12 @@ TEST(EnvironmentMessage, SaysWhatIsWrong) {
           "   data: [ 0., 0.1, 0., 0. ]\n",
       "equidistant");
   EXPECT_THROW(load_environment("no/such.jpg", {}), std::runtime_error);
+  try {
+    load_environment(testing::TempDir(), {});
+    ADD_FAILURE();
+  } catch (const std::runtime_error& error) {
+    EXPECT_EQ(error.what(), "environment " + testing::TempDir() + ": is a folder");
+  }
   EXPECT_THROW(load_environment(lens("no image"), {}), std::runtime_error);
 }
 

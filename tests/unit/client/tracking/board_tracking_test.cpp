@@ -171,6 +171,7 @@ struct BoardPhotograph {
   const char* dictionary;
   tracking::MarkerBoard board;
   double max_error;  // pixels, root mean square over the board
+  double max_tilt;   // degrees, of single markers against the board, root mean square
 };
 
 // There is no true pose to compare with; but how well one pose explains all corners, and whether
@@ -214,17 +215,18 @@ void expect_consistent(const BoardPhotograph& photo) {
       "degrees (rms)\n",
       photo.image, detected.size(), std::sqrt(sum / count), std::sqrt(tilt / count));
   EXPECT_LT(std::sqrt(sum / count), photo.max_error);
+  EXPECT_LT(std::sqrt(tilt / count), photo.max_tilt);
 }
 
 // The gap is a fifth of a marker, as can be measured in the picture.
 TEST(BoardPhotographs, Grid) {
   expect_consistent({"gboriginal.png", "tutorial_camera_params.yml", "tutorial_dict.yml",
-                     tracking::make_grid_board(5, 7, 0.1, 0.02, 0), 2.5});
+                     tracking::make_grid_board(5, 7, 0.1, 0.02, 0), 2.5, 3.5});
 }
 
 TEST(BoardPhotographs, Charuco) {
   expect_consistent({"choriginal.jpg", "tutorial_camera_charuco.yml", "DICT_6X6_250",
-                     tracking::make_charuco_board(5, 7, 0.04, 0.02, 0), 1.0});
+                     tracking::make_charuco_board(5, 7, 0.04, 0.02, 0), 1.0, 2.5});
 }
 
 }  // namespace

@@ -61,6 +61,15 @@ TEST(CalibrationFile, Ros) {
   expect_camera(file_with("%YAML:1.0\n---\n" + kRos));
 }
 
+// As rostopic echo prints them, one (-n1) or several.
+TEST(CalibrationFile, RosMessagesThatWerePrinted) {
+  expect_camera(file_with(kRos + "---\n"));
+  expect_camera(file_with(kRos + "---\n" + kRos + "---\n"));
+  expect_camera(file_with("---\n" + kRos + "---\n"));
+  EXPECT_THAT(error_of("---"), HasSubstr("is no calibration file"));
+  EXPECT_THAT(error_of("---\n---\n"), HasSubstr("is no calibration file"));
+}
+
 TEST(CalibrationFile, RosMessages) {
   for (const bool upper : {true, false}) {
     const std::string k = upper ? "K" : "k", d = upper ? "D" : "d";

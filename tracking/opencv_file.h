@@ -5,7 +5,7 @@
 #include <opencv2/core/utility.hpp>
 #include <string>
 
-namespace amalgam::client {
+namespace amalgam::tracking {
 
 // Keeps OpenCV from printing errors before it throws them; the program prints them once.
 class QuietOpenCv {
@@ -24,7 +24,11 @@ class QuietOpenCv {
 [[noreturn]] void fail_file(const char* kind, const std::filesystem::path& file,
                             const std::string& what);
 
-// The whole file, at most 1 MiB. Throws std::runtime_error.
+// The first line of what OpenCV says.
+std::string first_line(const cv::Exception& error);
+
+// The whole file, at most 1 MiB, and not nested too deeply for OpenCV's parsers. Throws
+// std::runtime_error.
 std::string read_small_text(const char* kind, const std::filesystem::path& file);
 
-}  // namespace amalgam::client
+}  // namespace amalgam::tracking
