@@ -26,8 +26,8 @@ class LensCalibration {
   static constexpr int kCells = 5;               // that the picture is divided into, on each axis
   static constexpr double kLeastCoverage = 0.6;  // share of these cells with corners
   static constexpr double kGoodCoverage = 0.9;
-  static constexpr double kLeastTilt = 15.0;   // degrees between the most different views
-  static constexpr double kWorstError = 1.0;   // pixels at the usual width, root mean square
+  static constexpr double kLeastTilt = 15.0;  // degrees between the most different views
+  static constexpr double kWorstError = 1.0;  // pixels at the usual width, root mean square
   static constexpr double kUsualWidth = 640.0;
 
   // size: of the pictures, pixels. Throws std::runtime_error for a board that is not flat, or whose

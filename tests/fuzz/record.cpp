@@ -1,5 +1,5 @@
-// A recorded session's file, as somebody attaches it to a report: refused with one line, or a session
-// whose turns are of frames and lights that it has.
+// A recorded session's file, as somebody attaches it to a report: refused with one line, or a
+// session whose turns are of frames and lights that it has.
 #include <stdexcept>
 
 #include "client/tools/load/recorded_session.h"

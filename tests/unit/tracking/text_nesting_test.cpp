@@ -74,7 +74,8 @@ TEST(TextNesting, BoardsAndCalibrationsSaySo) {
     if (text.size() > 1 << 20) continue;  // refused for its size
     const auto file = file_with(text);
     EXPECT_THAT(error_of([&] { client::load_board(file); }), HasSubstr("is nested too deeply"));
-    EXPECT_THAT(error_of([&] { client::load_calibration(file); }), HasSubstr("is nested too deeply"));
+    EXPECT_THAT(error_of([&] { client::load_calibration(file); }),
+                HasSubstr("is nested too deeply"));
   }
 }
 
@@ -98,7 +99,8 @@ TEST(PosesFile, MayBeNestedDeeply) {
   constexpr std::size_t kLevels = 400'000;
   const std::string deep = times(kLevels, "[") + times(kLevels, "]");
   const auto file = file_with("{\"poses\": [{\"marker\": 1, \"rotation\": " + deep + "}]}");
-  EXPECT_THAT(error_of([&] { client::load_poses(file); }), HasSubstr("'rotation' is not 4 numbers"));
+  EXPECT_THAT(error_of([&] { client::load_poses(file); }),
+              HasSubstr("'rotation' is not 4 numbers"));
   EXPECT_THAT(error_of([&] { client::load_poses(file_with("{\"poses\": " + deep + "}")); }),
               HasSubstr("poses[0] has no 'rotation'"));
 }

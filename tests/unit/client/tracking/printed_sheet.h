@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "tracking/marker_dictionary.h"
 #include "common/camera_model.h"
 #include "common/pose.h"
 #include "tracking/marker_board.h"
+#include "tracking/marker_dictionary.h"
 
 namespace amalgam::client {
 
