@@ -131,10 +131,10 @@ TEST_P(Records, HasWhatWentBothWays) {
   const auto got = [](int body) { return "got " + std::to_string(body); };
   const auto tells = [](int body) { return "said " + std::to_string(body); };
   EXPECT_EQ(said, (std::vector<std::string>{
-                      tells(Envelope::kWelcome), got(Envelope::kPing), tells(Envelope::kPong),
-                      got(Envelope::kCameraFrame), "frame 1", "rendered", "written 1",
-                      tells(Envelope::kPing), got(Envelope::kCameraFrame), "frame 2", "failed",
-                      tells(Envelope::kError), got(Envelope::kGoodbye), "end"}));
+                      tells(Envelope::kWelcome), tells(Envelope::kPing), got(Envelope::kPing),
+                      tells(Envelope::kPong), got(Envelope::kCameraFrame), "frame 1", "rendered",
+                      "written 1", tells(Envelope::kPing), got(Envelope::kCameraFrame), "frame 2",
+                      "failed", tells(Envelope::kError), got(Envelope::kGoodbye), "end"}));
 }
 
 INSTANTIATE_TEST_SUITE_P(Over, Records, kEachTransport, transport_name);

@@ -210,7 +210,7 @@ TEST_F(Programs, TheReportSaysThePosesUsed) {
 TEST_F(Programs, BadOptionsGiveOneLineAndAFailure) {
   for (const auto& [program, arguments, says] :
        std::vector<std::tuple<std::string, std::vector<std::string>, std::string>>{
-           {"amalgam-server", {"--scene", "/nowhere.gltf"}, "nowhere"},
+           {"amalgam-server", {"--scene", "/nowhere.gltf", "--log-level", "error"}, "nowhere"},
            {"amalgam-server", {"--listen", "nonsense"}, "nonsense"},
            {"amalgam-server", {"--max-load", "nan"}, "--max-load"},
            {"amalgam-render", {"--samples", "7"}, "--samples"},
