@@ -22,7 +22,8 @@ if [ ${#files[@]} -eq 0 ]; then
 fi
 # A build folder of its own: clang cannot read GCC's precompiled headers.
 cmake --preset tidy >/dev/null
-cmake --build build/tidy --target protocol/generated/protocol/amalgam.pb.h >/dev/null
+cmake --build build/tidy --target protocol/generated/protocol/amalgam.pb.h \
+  protocol/generated/protocol/session_record.pb.h >/dev/null
 echo "tidy: ${#files[@]} sources changed since $since, $((${#files[@]} < most ? ${#files[@]} : most)) looked at"
 files=("${files[@]:0:most}")
 printf '%s\0' "${files[@]}" |

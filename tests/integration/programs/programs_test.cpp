@@ -46,7 +46,7 @@ class Programs : public testing::Test {
   fs::path write_plain_jpeg() const {
     const auto jpeg =
         codec::encode_jpeg(common::ImageRgb8(320, 240, common::Rgb8(90, 120, 150)), 85);
-    const fs::path path = folder_ / "plain.jpg";
+    fs::path path = folder_ / "plain.jpg";
     std::ofstream(path, std::ios::binary)
         .write(reinterpret_cast<const char*>(jpeg.data()),
                static_cast<std::streamsize>(jpeg.size()));
@@ -194,7 +194,7 @@ TEST_F(Programs, TheReportSaysThePosesUsed) {
     ChildProcess render("amalgam-render",
                         {"--renderer", "raytrace", "--scene", scene_path("diffuse"), "--size",
                          "32x24", "--poses", file.string(), "--json"});
-    const auto report = nlohmann::json::parse(render.read_all(kPatience), nullptr, false);
+    auto report = nlohmann::json::parse(render.read_all(kPatience), nullptr, false);
     EXPECT_EQ(render.wait(seconds(10)), 0);
     return report;
   };

@@ -41,7 +41,7 @@ std::string output_of(const std::string& command) {
 std::string words_of(const std::string& pdf) {
   const std::string file = testing::TempDir() + "sheet_" + std::to_string(getpid()) + ".pdf";
   common::write_whole_file(file, std::string_view(pdf));
-  const std::string words = output_of("pdfinfo " + file + "; pdftotext -layout " + file + " -");
+  std::string words = output_of("pdfinfo " + file + "; pdftotext -layout " + file + " -");
   std::filesystem::remove(file);
   return words;
 }
