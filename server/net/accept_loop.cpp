@@ -37,6 +37,8 @@ AcceptLoop::AcceptLoop(asio::io_context& io, const common::HostPort& address, On
   if (!ec) acceptor_.set_option(tcp::acceptor::reuse_address(true), ec);
   if (!ec) acceptor_.bind(endpoint, ec);
   if (ec) throw std::runtime_error("cannot listen on " + to_string(address) + ": " + ec.message());
+  const tcp::endpoint bound = acceptor_.local_endpoint();
+  address_ = {bound.address().to_string(), bound.port()};
 }
 
 void AcceptLoop::listen() {
@@ -49,11 +51,6 @@ void AcceptLoop::close() {
   error_code ignored;
   acceptor_.close(ignored);
   pause_.cancel();
-}
-
-common::HostPort AcceptLoop::address() const {
-  const tcp::endpoint endpoint = acceptor_.local_endpoint();
-  return {endpoint.address().to_string(), endpoint.port()};
 }
 
 void AcceptLoop::start() {

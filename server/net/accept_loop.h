@@ -25,7 +25,8 @@ class AcceptLoop {
   // one's: Asio itself allocates between a connection and its handler.
   void restart();
   void close();
-  common::HostPort address() const;  // with the actual port if 0 was given
+  // With the actual port if 0 was given. From any thread, also when closed.
+  const common::HostPort& address() const { return address_; }
 
  private:
   void accept();
@@ -35,6 +36,7 @@ class AcceptLoop {
   boost::asio::ip::tcp::acceptor acceptor_;
   boost::asio::steady_timer pause_;
   OnAccept on_accept_;
+  common::HostPort address_;
   bool started_ = false;
 };
 
