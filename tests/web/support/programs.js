@@ -44,7 +44,7 @@ export class Server {
       if (!address) continue;
       server.address = address;
       server.web = / web (\S+)/.exec(line)[1];
-      server.admin = / admin (\S+)/.exec(line)[1];
+      server.admin = / admin (\S+)/.exec(line)?.[1];
       return server;
     }
     throw new Error(`${name} ended before it listened`);
