@@ -105,6 +105,6 @@ inline constexpr std::chrono::milliseconds kTrimInterval{3500};
 inline constexpr int kSendBufferBytes = 256 * 1024;
 // Composites that may be on their way or unread. A Ping follows each, so that its Pong tells when
 // it was read. One, where the second would only wait behind it (net/read_pings.h).
-inline constexpr int kMaxUnreadComposites = 2;
+inline constexpr std::size_t kMaxUnreadComposites = 2;
 
 }  // namespace amalgam::protocol

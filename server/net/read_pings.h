@@ -15,8 +15,8 @@ class ReadPings {
   using Time = std::chrono::steady_clock::time_point;
 
   // The nonce of a ping that follows nothing, or a composite, written now.
-  std::uint64_t next(Time now) { return add(false, now); }
-  std::uint64_t after_composite(Time now) { return add(true, now); }
+  std::uint64_t next(Time now);
+  std::uint64_t after_composite(Time now);
   void heard_pong(std::uint64_t nonce, Time now);
 
   // True if the next composite may be written. One on its way keeps a slow line busy, and what is
@@ -30,14 +30,14 @@ class ReadPings {
   struct Ping {
     std::uint64_t nonce;
     Time written;
-    bool after_composite;
   };
 
-  std::uint64_t add(bool after_composite, Time now);
-
   std::uint64_t last_ = 0;
-  std::deque<Ping> unheard_;
-  Time read_{};  // when the last composite was
+  // Without a pong. Of those that follow nothing one is enough: a client that answers none, but
+  // talks, stays.
+  std::optional<Ping> alone_;
+  std::deque<Ping> unread_;  // behind composites
+  Time read_{};              // when the last composite was
   // Round trips without a transfer are known from other pings only.
   std::optional<Time::duration> quickest_, transfer_;
 };

@@ -12,12 +12,10 @@
 #include <vector>
 
 #include "common/log.h"
-#include "core/cpu_count.h"
 #include "net/admin.h"
 #include "net/agent_check.h"
 #include "net/connection.h"
 #include "net/connection_limits.h"
-#include "net/limits_in_use.h"
 #include "net/listener.h"
 #include "net/made_files.h"
 #include "net/memory_trim.h"

@@ -1,11 +1,11 @@
 #include "client/tools/load/load_options.h"
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <map>
 #include <stdexcept>
 
 #include "common/build_info.h"
+#include "common/image_size.h"
 #include "common/parse_command_line.h"
 #include "common/token_file.h"
 #include "protocol/client_tls.h"
@@ -83,15 +83,6 @@ std::optional<LoadOptions> parse_load_options(int argc, const char* const* argv)
           ->type_name("JPEG");
   app.add_option("--size", size, "of mid grey, pixels; default 640x480")
       ->type_name("WxH")
-      ->check(CLI::Validator(
-          [](std::string& text) {
-            int width = 0, height = 0;
-            char rest = 0;
-            const bool good = std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) == 2 &&
-                              width > 0 && height > 0 && width <= 2048 && height <= 2048;
-            return good ? std::string() : "'" + text + "' is not WxH with sides of 1 to 2048";
-          },
-          ""))
       ->excludes(image);
   app.add_option("--latencies", options.latencies,
                  "file for the latency of every frame that was due: when, s, and latency, ms")
@@ -143,7 +134,11 @@ std::optional<LoadOptions> parse_load_options(int argc, const char* const* argv)
   if (!common::parse_command_line(app, argc, argv)) return std::nullopt;
   options.server = common::parse_host_port(server);
   options.fault = faults.at(fault);
-  if (!size.empty()) std::sscanf(size.c_str(), "%dx%d", &options.width, &options.height);
+  if (!size.empty()) {
+    const glm::ivec2 sides = common::parse_image_size(size, static_cast<int>(protocol::kMaxSide));
+    options.width = sides.x;
+    options.height = sides.y;
+  }
   options.stay = std::chrono::milliseconds(static_cast<std::int64_t>(stay * 1000.0));
   if (tls) options.tls = protocol::client_tls(certificate_authority);
   options.duration = std::chrono::milliseconds(static_cast<std::int64_t>(duration * 1000.0));

@@ -38,6 +38,19 @@ TEST(ReadPings, OtherPingsSayNothingOfLaterComposites) {
   EXPECT_FALSE(pings.may_write_composite());
 }
 
+// Also where somebody answers some pings only: what was not answered was not timed.
+TEST(ReadPings, ALateAnswerIsNotTheRoundTripOfAnEarlierPing) {
+  ReadPings pings;
+  pings.next(kStart);
+  pings.heard_pong(pings.next(kStart + seconds(1)), kStart + seconds(2));
+  for (int i = 3; i < 6; ++i) {
+    const auto written = kStart + seconds(i);
+    pings.heard_pong(pings.after_composite(written), written + milliseconds(100));
+  }
+  pings.after_composite(kStart + seconds(6));
+  EXPECT_FALSE(pings.may_write_composite());  // two seconds would allow another one
+}
+
 // A line with a delay and a rate: what is written goes over it one after the other.
 class ReadPingsOnALine : public testing::Test {
  protected:
