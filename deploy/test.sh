@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds with warnings as errors, runs all tests, checks the formatting and, with clang-tidy,
-# what the last commit changed. From nothing about 15 minutes on two cores, later about 4. The bunnies are tested if they
+# what the last commit changed. From nothing about 25 minutes on two cores, later about 12. The bunnies are tested if they
 # can be fetched; what is skipped is listed at the end.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
