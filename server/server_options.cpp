@@ -144,7 +144,7 @@ void add_mebibytes(CLI::App& app, const std::string& name, std::uint64_t& bytes,
          name, [&bytes](std::uint64_t size) { bytes = size * protocol::kMiB; }, what)
       ->default_str(std::to_string(bytes / protocol::kMiB))
       ->type_name("MIB")
-      ->check(CLI::Range(1, 1 << 20));
+      ->check(common::in_range(1, 1 << 20));
 }
 
 void add_record_options(CLI::App& app, record::RecordOptions& record) {
