@@ -138,6 +138,10 @@ class FrameRenderer::Impl {
     view.own_surroundings = make_surroundings(std::move(environment));
   }
 
+  void free_targets() {
+    if (raster_) raster_->targets = {};
+  }
+
   void make_current() {
     if (raster_) raster_->context.make_current();
   }
@@ -324,6 +328,10 @@ void FrameRenderer::set_environment(scene::Environment environment) {
 
 void FrameRenderer::set_own_environment(ViewState& view, scene::Environment environment) {
   impl_->set_own_environment(view, std::move(environment));
+}
+
+void FrameRenderer::free_targets() {
+  impl_->free_targets();
 }
 
 void FrameRenderer::make_current() {

@@ -1,5 +1,6 @@
 #include "frame/render_thread.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -11,6 +12,11 @@
 
 namespace amalgam::frame {
 namespace {
+
+std::size_t pixels_of(const ViewOptions& options) {
+  return static_cast<std::size_t>(options.camera.width) *
+         static_cast<std::size_t>(options.camera.height);
+}
 
 template <typename Step>
 std::optional<std::string> error_of(const Step& step) {
@@ -71,8 +77,7 @@ ViewId RenderThread::open_view(const ViewOptions& options, Deliver deliver) {
   const std::lock_guard lock(mutex_);
   const ViewId id = ++last_id_;
   views_.emplace(id, std::make_shared<View>(id, options, std::move(deliver)));
-  turns_.open(id, static_cast<std::size_t>(options.camera.width) *
-                      static_cast<std::size_t>(options.camera.height));
+  turns_.open(id, pixels_of(options));
   return id;
 }
 
@@ -99,7 +104,14 @@ void RenderThread::close_view(ViewId id) {
     views_.erase(found);
     turns_.close(id);
     if (serving_ == id) progress_.cancel();
+    const std::size_t pixels = pixels_of(view->options);
+    if (std::ranges::none_of(views_, [&](const auto& other) {
+          return pixels_of(other.second->options) >= pixels;
+        })) {
+      largest_closed_ = has_other_ = true;
+    }
   }
+  work_.notify_one();
   const std::lock_guard lock(view->delivering);
   view->closed = true;
 }
@@ -180,6 +192,7 @@ void RenderThread::run(const std::stop_token& stop, const MakeRenderer& make,
   while (wait_for_work(stop)) {
     apply_renderer();
     apply_environment();
+    free_targets();
     if (const auto view = take_next_view(stop)) serve(*view);
   }
   // Views are freed where their states were made.
@@ -199,7 +212,11 @@ bool RenderThread::wait_for_work(const std::stop_token& stop) {
     if (stop.stop_requested()) return false;
     if (has_work(now)) break;
     const auto until = turns_.withheld_until(now);
-    const auto ready = [&] { return has_work(Clock::now()); };
+    // A frame that comes meanwhile may be withheld too.
+    const auto ready = [&] {
+      const auto then = Clock::now();
+      return has_work(then) || turns_.withheld_until(then) != until;
+    };
     until ? work_.wait_until(lock, stop, *until, ready) : work_.wait(lock, stop, ready);
   }
   has_other_ = false;
@@ -257,6 +274,14 @@ void RenderThread::apply_environment() {
     working_ = false;
   }
   update->done(error);
+}
+
+void RenderThread::free_targets() {
+  {
+    const std::lock_guard lock(mutex_);
+    if (!std::exchange(largest_closed_, false)) return;
+  }
+  renderer_->free_targets();
 }
 
 std::shared_ptr<RenderThread::View> RenderThread::take_next_view(const std::stop_token& stop) {

@@ -75,6 +75,7 @@ class RenderThread : public FrameService {
   void apply_renderer();
   void adopt(std::unique_ptr<ViewRenderer> renderer);
   void apply_environment();
+  void free_targets();
   // The view whose turn it is; null if nobody's is, or when asked to stop.
   std::shared_ptr<View> take_next_view(const std::stop_token& stop);
   void serve(View& view);
@@ -89,7 +90,9 @@ class RenderThread : public FrameService {
   Fingerprint fingerprint_;  // under mutex_
   ViewId last_id_ = 0;       // under mutex_
   ViewId serving_ = 0;       // under mutex_; 0: none
-  bool has_other_ = false;   // under mutex_: an environment or a renderer waits
+  bool has_other_ = false;   // under mutex_: an environment, a renderer or the next one waits
+  bool largest_closed_ =
+      false;  // under mutex_: no view is left that is as large as one that closed
   common::Mailbox<NewEnvironment> environment_;
   common::Mailbox<NewRenderer> renderer_to_be_;
 

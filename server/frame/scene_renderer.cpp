@@ -62,6 +62,8 @@ class SceneRenderer : public ViewRenderer {
     renderer_.set_own_environment(static_cast<OpenView&>(state).state, make_environment(input));
   }
 
+  void free_targets() override { renderer_.free_targets(); }
+
   FrameService::MarkerSet markers() const override {
     const scene::Scene& scene = renderer_.scene();
     return {.dictionary = scene.world.dictionary,

@@ -108,10 +108,16 @@ bool Turns::withheld(Id id, const View& view, Time now) const {
 }
 
 std::optional<Turns::Time> Turns::withheld_until(Time now) const {
+  const bool any = std::any_of(views_.begin(), views_.end(), [&](const auto& entry) {
+    return entry.second.waits && withheld(entry.first, entry.second, now);
+  });
+  if (!any) return std::nullopt;
+  // Sooner, if those for whom it is withheld fall silent.
+  Time until = long_allowed_;
   for (const auto& [id, view] : views_) {
-    if (view.waits && withheld(id, view, now)) return long_allowed_;
+    if (!view.waits && is_active(view, now)) until = std::min(until, *view.submitted + kActive);
   }
-  return std::nullopt;
+  return until;
 }
 
 bool Turns::any_ready(Time now) const {

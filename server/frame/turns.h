@@ -36,7 +36,8 @@ class Turns {
   // The view whose turn it is; it no longer waits. Nothing if none waits, or if it is not the time
   // of those that do.
   std::optional<Id> next(Time now);
-  // When next() will have a turn that it withheld; nothing if it withheld none.
+  // When next() may have a turn that it withheld, if no frame comes before; nothing if it withheld
+  // none.
   std::optional<Time> withheld_until(Time now) const;
   // The turn that next() gave is over. The view may have been closed.
   void served(Id id, Seconds cost, Time now);

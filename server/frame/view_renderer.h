@@ -27,6 +27,9 @@ class ViewRenderer {
   virtual void set_environment(const EnvironmentInput& input) = 0;
   // For one view.
   virtual void set_own_environment(State& view, const EnvironmentInput& input) = 0;
+  // Frees what is kept from frame to frame for the size of its views. The next frame makes again
+  // what it needs.
+  virtual void free_targets() {}
   virtual FrameService::MarkerSet markers() const = 0;
   virtual FrameService::Fingerprint fingerprint() const { return {}; }
   // Another renderer was made on this thread, but this one goes on.

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <chrono>
 #include <future>
+#include <semaphore>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -247,6 +248,31 @@ TEST(RenderThreadFaults, AWithheldTurnLetsTheOthersThrough) {
                ">= 80 % without noise");
   // Asleep until the long turn is allowed again, it would serve one or two in 3 s.
   EXPECT_GT(short_turns, sent / 3);
+}
+
+// The others fall silent, so that nothing else wakes the renderer.
+TEST(RenderThreadFaults, AWithheldTurnComesByItself) {
+  frame::RenderThread service(known_cost());
+  const auto open = [&](std::counting_semaphore<>& served) {
+    return service.open_view({.camera = common::default_camera(64, 48)},
+                             [&](auto, const auto&) { served.release(); });
+  };
+  std::counting_semaphore light_served(0), heavy_served(0);
+  const auto light = open(light_served), heavy = open(heavy_served);
+  for (int i = 0; i < 2; ++i) {
+    service.submit(light, 1, costing("5"));
+    light_served.acquire();
+  }
+  service.submit(heavy, 1, costing("600"));
+  service.submit(light, 1, costing("5"));
+  heavy_served.acquire();
+  light_served.acquire();
+  std::this_thread::sleep_for(50ms);  // nothing waits
+  const auto begin = Clock::now();
+  service.submit(heavy, 2, costing("600"));
+  ASSERT_TRUE(heavy_served.try_acquire_for(10s));
+  print_figure("34", "a frame of .6 s after the others fell silent came after",
+               seconds_since(begin), "s", "<= 2.6 s without noise");
 }
 
 // Row 36, with the real renderer.

@@ -56,11 +56,13 @@ void simulate(Turns& turns, std::map<Turns::Id, Client>& clients, double seconds
     const auto turn = turns.next(now);
     ASSERT_EQ(ready, turn.has_value());
     if (!turn) {
-      const auto until = turns.withheld_until(now);
-      if (until) {
+      Time next = clients.begin()->second.next;
+      for (const auto& [id, client] : clients) next = std::min(next, client.next);
+      if (const auto until = turns.withheld_until(now)) {
         ASSERT_GT(*until, now);
+        next = std::min(next, *until);
       }
-      now += std::chrono::microseconds(500);
+      now = next;
       continue;
     }
     Client& client = clients.at(*turn);
@@ -93,6 +95,27 @@ TEST(Turns, OneHeavyClientCostsLightOnesAFifthAtMost) {
     EXPECT_GE(worst, 0.8) << heavy_cost;
     EXPECT_GE(clients[4].served, 2);  // and it is served too
   }
+}
+
+// Who falls silent is not waited for.
+TEST(Turns, AWithheldTurnComesWhenTheOthersFallSilent) {
+  Turns turns;
+  turns.open(1, 640 * 480);
+  turns.open(2, 2048 * 2048);
+  turns.submitted(1, at(0.0));
+  turns.submitted(1, at(0.2));
+  EXPECT_EQ(turns.next(at(0.2)), 1u);
+  turns.served(1, Seconds(0.02), at(0.22));
+  turns.submitted(2, at(0.3));
+  EXPECT_EQ(turns.next(at(0.3)), 2u);
+  turns.submitted(1, at(10.2));
+  turns.served(2, Seconds(10.0), at(10.3));
+  EXPECT_EQ(turns.next(at(10.3)), 1u);
+  turns.served(1, Seconds(0.02), at(10.32));
+  turns.submitted(2, at(10.4));
+  EXPECT_EQ(turns.next(at(10.4)), std::nullopt) << "a fifth of the time, because of the other";
+  EXPECT_EQ(turns.withheld_until(at(10.4)), at(12.2)) << "not in 40 s: by then it does not count";
+  EXPECT_EQ(turns.next(at(12.2)), 2u);
 }
 
 // Long turns that were withheld must not turn back the others' time: who comes later would be owed
