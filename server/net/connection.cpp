@@ -140,6 +140,8 @@ void Connection::on_opened(const ErrorCode& ec, Transport::Opened opened) {
 // --- reading ---
 
 void Connection::read() {
+  // In pieces of 4 KiB a frame would take many rounds. Grown here, while nobody looks into it.
+  if (welcomed_) read_buffer_.resize(protocol::kReadBufferBytes);
   transport_->read(
       asio::buffer(read_buffer_),
       [self = shared_from_this()](const ErrorCode& ec, const Transport::Received& received) {
@@ -289,6 +291,7 @@ void Connection::on_passed(Deadlines::Passed passed) {
 void Connection::welcomed() {
   ticket_->authenticated();
   shared_.back_off.succeeded(ticket_->address());
+  welcomed_ = true;
   decoder_.set_limits(protocol::limits_of_server());
   deadlines_.authenticated(Clock::now());
   // Before there are composites to hold it up.

@@ -103,6 +103,7 @@ class Connection : public std::enable_shared_from_this<Connection>, private Line
   OnEnd on_end_;
 
   State state_ = State::Open;
+  bool welcomed_ = false;
   Deadlines deadlines_;
   Clock::time_point linger_end_{};
   ReadPings pings_;

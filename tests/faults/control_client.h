@@ -1,5 +1,7 @@
 // A healthy client that runs beside a fault, and tells what it felt of it. Speaks as amalgam-client
-// does, by its library.
+// does, by its library. Server, attacker and this client share a machine of two processors, and a
+// percentile wants hundreds of frames. So an attacker pauses between its attacks: otherwise the
+// worst frames show how long this client's threads wait for a processor.
 #pragma once
 
 #include <atomic>
@@ -43,8 +45,8 @@ class ControlClient {
 };
 
 // Prints the healthy client's worst percent, alone and beside the row's fault. It must not have
-// been lost. That it waited at most 10 % or allowed_ms longer is asserted if noise allows: if
-// nothing else needs the machine's processors.
+// been lost. That it waited at most 10 % or allowed_ms longer is asserted if AMALGAM_QUIET_MACHINE
+// is set, which says that nothing else needs the machine's processors.
 void expect_unharmed(const std::string& row, const ControlClient::Felt& alone,
                      const ControlClient::Felt& beside, double allowed_ms = 2.0);
 

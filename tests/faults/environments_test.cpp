@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <string>
 #include <thread>
 
@@ -24,7 +25,10 @@ TEST(Environments, AFloodIsLimitedAndCounted) {
   TestClient client = server.session();
   constexpr int kSent = 200;
   int refused = 0;
-  for (int i = 0; i < kSent; ++i) client.send(environment_message(std::string(100'000, 'e')));
+  for (int i = 0; i < kSent; ++i) {
+    client.send(environment_message(std::string(100'000, 'e')));
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));  // see ControlClient
+  }
   client.send(frame_message(1));
   for (;;) {
     const Envelope answer = client.receive().value();

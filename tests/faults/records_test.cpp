@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
@@ -70,6 +72,10 @@ TEST_P(Records, AFullRecordEndsAndItsSessionGoesOn) {
 TEST_P(Records, AFolderThatGoesEndsNoSession) {
   TestServer server(recording(), GetParam());
   ControlClient control(server.server().address());
+  // The control client's record has begun, or it would fail too.
+  for (int i = 0; i < 1000 && std::filesystem::is_empty(folder_.path()); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
   std::filesystem::remove_all(folder_.path());
   {
     TestClient client = server.session();
