@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Soak: deploy/soak.sh [MINUTES] (default 20). A server, one healthy control client, and beside it random faults and
-# random healthy sessions, without a break. Checks that the server is at the end what it was after warming up: resident
-# memory grown by at most 1 %, as many descriptors and threads. Then it is compared with a fresh server: a client alone
+# random healthy sessions, without a break. Checks that the server is at the end what it was after warming up: as many
+# descriptors and threads, and memory that no longer grows: the least that was resident in the last quarter is at most 1 %
+# above the quarter before. (The least, because what the allocator holds differs from moment to moment.) Then it is compared with a fresh server: a client alone
 # asks the old one and the fresh one in turns, and its 99th percentiles differ by at most 5 %, as far as they can be told
 # apart. In turns, because on most machines what the machine itself does differs more from minute to minute. Says the
 # control client's percentile under faults too, by quarters: it follows the faults that happen to overlap. Writes soak.csv,
@@ -165,11 +166,17 @@ check() { # NAME BEFORE AFTER PERCENT: what it may grow by
 echo "$count faults and sessions in $(( last_second )) s, seed $seed, load of the machine $(cut -d' ' -f1-3 /proc/loadavg):"
 for kind in $(printf '%s\n' "${!tried[@]}" | sort); do echo "  $kind: ${tried[$kind]}"; done
 printf '%-34s %12s %12s %9s\n' "" "after warm-up" "at the end" change
-IFS=, read -r _ rss0 fds0 threads0 _ <<< "$before"
-IFS=, read -r _ rss1 fds1 threads1 _ <<< "$after"
-check "resident memory, KiB" "$rss0" "$rss1" 1
+IFS=, read -r _ _ fds0 threads0 _ <<< "$before"
+IFS=, read -r _ _ fds1 threads1 _ <<< "$after"
+least() { # of a quarter, KiB
+  awk -F, -v from=$(( first_second + $1 * quarter )) -v to=$(( first_second + ($1 + 1) * quarter )) \
+    'NR > 1 && $1 >= from && $1 < to && (!n++ || $2 < m) { m = $2 } END { print m + 0 }' "$out/soak.csv"
+}
 check "descriptors" "$fds0" "$fds1" 0
 check "threads" "$threads0" "$threads1" 0
+printf '%-34s %12s %12s %9s\n' "" "third quarter" "last quarter" change
+check "least resident memory, KiB" "$(least 2)" "$(least 3)" 1
+echo "the two quarters before that: $(least 0) and $(least 1) KiB"
 # The mean of the pairs' ratios (of their logarithms), and twice its standard error.
 read -r ratio error middle_old middle_fresh < <(awk -F, 'NR > 1 { r = log($1 / $2); n++; s += r; q += r * r; a += log($1); b += log($2) }
   END { m = s / n; e = n > 1 ? sqrt((q / n - m * m) / (n - 1)) : 9; printf "%.2f %.2f %.2f %.2f\n", 100 * (exp(m) - 1), 200 * e, exp(a / n), exp(b / n) }' "$out/pairs.csv")

@@ -59,8 +59,8 @@ graph::Handle<SharedLights> add_lights(graph::FrameGraph& graph, const ShadowMap
     block.resize(gl::kMaxLights);  // a block must be bound in full
     gl::Buffer lights = gl::Buffer::of(std::span<const gl::GpuLight>(block));
     gl::Buffer layers = gl::Buffer::of(std::span<const gl::GpuShadowLayer>(layout.layers));
-    in.cache.lights = std::make_shared<const DeviceLights>(std::move(layout), std::move(lights),
-                                                           std::move(layers));
+    in.cache.lights = std::make_shared<const DeviceLights>(
+        DeviceLights{std::move(layout), std::move(lights), std::move(layers)});
     access.set(out, in.cache.lights);
   });
   return out;
