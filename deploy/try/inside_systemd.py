@@ -143,6 +143,9 @@ class Unit(unittest.TestCase):
         self.assertIn("the old scene and configuration stay", log())
         self.assertEqual(composites().returncode, 0)
 
+    def test_23_shaders_are_kept(self):
+        self.assertTrue(any(pathlib.Path("/var/cache/amalgam").rglob("*")))
+
     def restarted_from(self, pid, seconds):
         took = wait_until(lambda: main_pid() not in (0, pid) and http("/readyz") == 200, seconds)
         print(f"serves again after {took:.1f} s")
@@ -209,7 +212,7 @@ class WhatIsLeft(unittest.TestCase):
         print(purged.stderr)
         self.assertFalse(pathlib.Path(f"/proc/{pid}").exists(), "the server still runs")
         self.assertEqual(shown("LoadState"), "not-found")
-        found = run("find", "/etc", "/usr", "/var/lib", "/run", "-xdev", "-name", "*amalgam*").stdout.split()
+        found = run("find", "/etc", "/usr", "/var/lib", "/var/cache", "/run", "-xdev", "-name", "*amalgam*").stdout.split()
         self.assertEqual(found, [])
 
 
