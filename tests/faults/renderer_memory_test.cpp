@@ -27,7 +27,7 @@ class View {
   View(frame::RenderThread& service, int width, int height)
       : service_(service),
         id_(service.open_view({.camera = common::default_camera(width, height)},
-                              [this](std::uint64_t, frame::FrameResult result) {
+                              [this](std::uint64_t, const frame::FrameResult& result) {
                                 rendered_ = std::holds_alternative<frame::FrameOutput>(result);
                                 done_.release();
                               })),
