@@ -29,8 +29,7 @@ class FrameRenderer {
   // The view keeps its own environment, whatever becomes of the scene's.
   void set_own_environment(ViewState& view, scene::Environment environment);
 
-  // Frees the textures and buffers that are kept for the next frame, which makes them again: those
-  // of a large picture are not for ever.
+  // Frees the textures and buffers that are kept for the next frame, which then makes them again.
   void free_targets();
 
   // After another renderer was made on this thread: this one's OpenGL context is used again.

@@ -90,9 +90,9 @@ class RenderThread : public FrameService {
   Fingerprint fingerprint_;  // under mutex_
   ViewId last_id_ = 0;       // under mutex_
   ViewId serving_ = 0;       // under mutex_; 0: none
-  bool has_other_ = false;   // under mutex_: an environment, a renderer or the next one waits
-  bool largest_closed_ =
-      false;  // under mutex_: no view is left that is as large as one that closed
+  bool has_other_ = false;   // under mutex_: something waits that is no frame
+  // Under mutex_: the largest view has closed, and what was kept for its size can be freed.
+  bool largest_closed_ = false;
   common::Mailbox<NewEnvironment> environment_;
   common::Mailbox<NewRenderer> renderer_to_be_;
 

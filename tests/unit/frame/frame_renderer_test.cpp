@@ -209,6 +209,25 @@ TEST(FrameRenderer, SecondFrameRedrawsNoShadowMap) {
   EXPECT_EQ(first.jpeg, second.jpeg);
 }
 
+// What is freed between two frames, the second makes again: both are what they would be anyway.
+TEST(FrameRenderer, FreedTargetsAreMadeAgain) {
+  const auto two_frames = [](bool frees) {
+    FrameRenderer renderer(table_with_box_and_glass_ball(), {});
+    ViewState view({.camera = common::default_camera(kWidth, kHeight)});
+    std::vector<Bytes> frames;
+    for (int i = 0; i < 2; ++i) {
+      common::MarkerPose pose = default_pose(kMarker);
+      pose.translation.x += 0.01 * i;  // otherwise the first one's results are kept
+      frames.push_back(renderer.render(view, jpeg_input({pose})).jpeg);
+      if (frees) renderer.free_targets();
+    }
+    return frames;
+  };
+  const auto frames = two_frames(true);
+  EXPECT_EQ(frames, two_frames(false));
+  EXPECT_NE(frames[0], frames[1]);
+}
+
 // Adaptive sampling comes nearer to fixed nine samples than one sample does, with fewer rays than
 // nine.
 TEST(FrameRenderer, AdaptiveSamplesGoWhereTheyMatter) {
